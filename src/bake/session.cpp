@@ -90,7 +90,8 @@ Session::Parts::Parts(const terrain::GroundMesh& first, const BakeSettings& give
     withThreads(threads, [&] {
         surface = groundOf(first);
         std::optional<terrain::SurfaceQuery> rays;
-        if (baked == nullptr && needsRays(first, settings) && !hasManyTriangles(first, settings, {}))
+        if (baked == nullptr && needsRays(first, settings) &&
+            !hasManyTriangles(first, settings, {}))
             rays.emplace(first);
         const terrain::SurfaceFeatures& features = surface.features;
         plan =

@@ -159,8 +159,9 @@ void checkClaim(std::span<const std::byte> stored, std::size_t rawBytes, const s
 {
     requireSize(stored, rawBytes, place);
     if (rawBytes > plainBytes && (rawBytes - plainBytes) / largestRatio > stored.size())
-        fail(ErrorKind::input, "{}: {} compressed bytes claim to hold {}, more than {} and {} for each",
-             place, stored.size(), rawBytes, plainBytes, largestRatio);
+        fail(ErrorKind::input,
+             "{}: {} compressed bytes claim to hold {}, more than {} and {} for each", place,
+             stored.size(), rawBytes, plainBytes, largestRatio);
     if (rawBytes <= trustedBytes + trustedRatio * stored.size())
         return;
     // Unpack it once without keeping it, so that no memory is taken for what is only claimed.

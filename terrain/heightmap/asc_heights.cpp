@@ -74,8 +74,8 @@ bool isArcMinutes(double cell)
            std::fabs(hundredths - std::round(hundredths)) > 1e-3;
 }
 
-// Whether the cells are degrees of longitude and latitude: the grid lies on the globe, and in metres
-// it would be steeper than ground is.
+// Whether the cells are degrees of longitude and latitude: the grid lies on the globe, and in
+// metres it would be steeper than ground is.
 bool isInDegrees(const AscHeader& header, const HeightSamples& samples)
 {
     const double shortest = std::min(header.cell.x, header.cell.y);

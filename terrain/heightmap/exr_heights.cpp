@@ -23,8 +23,8 @@
 namespace sward::terrain {
 namespace {
 
-// Bytes of a block of rows, or of a row of tiles, that OpenEXR buffers, besides `bufferRatio` for each
-// byte of the file.
+// Bytes of a block of rows, or of a row of tiles, that OpenEXR buffers, besides `bufferRatio` for
+// each byte of the file.
 constexpr std::uint64_t bufferLimit = std::uint64_t(24) << 20;
 constexpr std::uint64_t bufferRatio = 16;
 constexpr std::uint64_t bytesOfSample = 4;

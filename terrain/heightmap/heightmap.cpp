@@ -98,8 +98,8 @@ glm::dvec2 extentOf(const HeightSamples& samples, const HeightmapSettings& setti
         return extent;
     }
     const glm::dvec2 extent = defaultStep * glm::dvec2(samples.size - 1U);
-    diagnostics.warn("{}: without --extent X Z the samples lie {} m apart: {:.6g} x {:.6g} m", place,
-                     defaultStep, extent.x, extent.y);
+    diagnostics.warn("{}: without --extent X Z the samples lie {} m apart: {:.6g} x {:.6g} m",
+                     place, defaultStep, extent.x, extent.y);
     return extent;
 }
 
@@ -176,7 +176,8 @@ GroundMesh importHeightmap(const std::filesystem::path& path, const HeightmapSet
     samples = {};
     for (const double height : heights)
         if (std::fabs(height) > highest)
-            fail(ErrorKind::input, "{}: a height of {:.6g} m, outside ±{} m", place, height, highest);
+            fail(ErrorKind::input, "{}: a height of {:.6g} m, outside ±{} m", place, height,
+                 highest);
     GroundMesh mesh = heightfield(grid, heights, holes, place);
     mesh.nodes[0] = path.stem().string();
     return mesh;

@@ -80,8 +80,9 @@ HeightSamples readPngHeights(std::span<const std::byte> file, const std::string&
                 "{}: {} bits per sample make terraces; export the heightmap with 16 bits", place,
                 pixels.depth);
         if (hasColors)
-            diagnostics.warn("{}: is a colour image; its brightest channel is taken as the height{}",
-                             place, encodingHint(pixels));
+            diagnostics.warn(
+                "{}: is a colour image; its brightest channel is taken as the height{}", place,
+                encodingHint(pixels));
     }
     dropTransparent(pixels, samples, place, diagnostics);
     return samples;

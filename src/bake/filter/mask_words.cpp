@@ -51,7 +51,8 @@ std::string unknown(const std::string& word, const std::vector<std::string>& kno
     std::string upper;
     for (const char c : word)
         upper += static_cast<char>(std::toupper(static_cast<unsigned char>(c)));
-    const bool isSmall = isChannel(upper) && std::find(known.begin(), known.end(), "R") != known.end();
+    const bool isSmall =
+        isChannel(upper) && std::find(known.begin(), known.end(), "R") != known.end();
     const std::string near = isSmall          ? upper
                              : word.size() < 2 ? std::string()
                                                : nearestWord(word, known);
