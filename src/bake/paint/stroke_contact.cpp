@@ -24,7 +24,7 @@ constexpr std::size_t largestBlock = 1U << 18;   ///< … which grows up to this
 constexpr std::size_t maxNamed = 20;             ///< strokes that a message names
 constexpr double facingCosine = 0.3;             ///< as Painting has it
 
-using Corners = std::array<glm::dvec3, 3>;
+using PlacedCorners = std::array<glm::dvec3, 3>;
 
 // A place that has touched nothing yet.
 struct Wanted {
@@ -41,7 +41,7 @@ DAabb boxAround(const Wanted& wanted)
 }
 
 // Cuts a convex polygon by the half-space dot(x, normal) <= bound.
-void cut(std::vector<glm::dvec3>& polygon, const glm::dvec3& normal, double bound)
+void cutByPlane(std::vector<glm::dvec3>& polygon, const glm::dvec3& normal, double bound)
 {
     std::vector<glm::dvec3> rest;
     for (std::size_t i = 0; i < polygon.size(); ++i) {
@@ -57,13 +57,13 @@ void cut(std::vector<glm::dvec3>& polygon, const glm::dvec3& normal, double boun
     polygon = std::move(rest);
 }
 
-double distanceTo(const glm::dvec3& place, const Corners& t)
+double distanceTo(const glm::dvec3& place, const PlacedCorners& t)
 {
     return glm::length(terrain::nearestPoint({t[0], t[1], t[2]}, place) - place);
 }
 
 // Whether a triangle is within the radius and depth of a place.
-bool isWithin(const Wanted& wanted, const Corners& triangle)
+bool isWithin(const Wanted& wanted, const PlacedCorners& triangle)
 {
     const glm::dvec3& at = wanted.place.position;
     if (!(distanceTo(at, triangle) < wanted.radius))
@@ -72,8 +72,8 @@ bool isWithin(const Wanted& wanted, const Corners& triangle)
     if (wanted.depth <= 0.0 || wanted.depth >= wanted.radius || normal == glm::dvec3(0.0))
         return true;
     std::vector<glm::dvec3> polygon(triangle.begin(), triangle.end());
-    cut(polygon, normal, glm::dot(at, normal) + wanted.depth);
-    cut(polygon, -normal, wanted.depth - glm::dot(at, normal));
+    cutByPlane(polygon, normal, glm::dot(at, normal) + wanted.depth);
+    cutByPlane(polygon, -normal, wanted.depth - glm::dot(at, normal));
     for (std::size_t i = 2; i < polygon.size(); ++i)
         if (distanceTo(at, {polygon[0], polygon[i - 1], polygon[i]}) < wanted.radius)
             return true;
@@ -213,8 +213,9 @@ std::vector<StrokeContact> contactsOf(const terrain::GroundMesh& ground, Sides s
         if (ground.bears[triangle] == 0)
             continue;
         const glm::uvec3& c = ground.triangles[triangle];
-        const Corners corners{glm::dvec3(ground.positions[c.x]), glm::dvec3(ground.positions[c.y]),
-                              glm::dvec3(ground.positions[c.z])};
+        const PlacedCorners corners{glm::dvec3(ground.positions[c.x]),
+                                    glm::dvec3(ground.positions[c.y]),
+                                    glm::dvec3(ground.positions[c.z])};
         DAabb box;
         for (const glm::dvec3& corner : corners)
             box.add(corner);
