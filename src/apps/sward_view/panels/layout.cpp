@@ -18,8 +18,8 @@ namespace {
 // Pixels of an unscaled interface.
 constexpr float railPixels = 96.0f;
 constexpr float railRowPixels = 26.0f;
-constexpr float leastPanel = 180.0f;
-constexpr float mostPanel = 640.0f;
+constexpr float minPanel = 180.0f;
+constexpr float maxPanel = 640.0f;
 constexpr float pictureShare = 0.27f; ///< of a window's width that a panel leaves to the picture
 constexpr float edgePixels = 6.0f;    ///< of a panel, by which it is dragged wider
 constexpr float statusPixels = 28.0f;
@@ -118,7 +118,7 @@ float Layout::panelWidth(const Style& style, float width) const
 {
     // Leave room for the picture where the controls are large for the window.
     const float room = width - edge(style, railPixels);
-    const float most = std::max(room - std::round(pictureShare * width), edge(style, leastPanel));
+    const float most = std::max(room - std::round(pictureShare * width), edge(style, minPanel));
     return std::clamp(edge(style, wanted_), 1.0f, std::max(std::min(most, room), 1.0f));
 }
 
@@ -215,7 +215,7 @@ void Layout::drawPanelEdge(Controls& controls)
     if (isHeld) {
         const float unit = style.scaled(1.0f);
         wanted_ = std::clamp((ImGui::GetIO().MousePos.x - edge(style, railPixels)) / unit,
-                             leastPanel, mostPanel);
+                             minPanel, maxPanel);
     }
     if (isHeld || ImGui::IsItemHovered()) {
         ImGui::SetMouseCursor(ImGuiMouseCursor_ResizeEW);

@@ -1,8 +1,8 @@
 #pragma once
 
 #include "apps/sward_view/interface/controls.h"
+#include "apps/sward_view/interface/covered.h"
 #include "apps/sward_view/viewer_state.h"
-#include "apps/sward_view/window/framing.h"
 
 #include <optional>
 #include <string>

@@ -17,7 +17,7 @@ namespace {
 constexpr std::size_t testedPoints = 50'000; ///< of the ground, and of the blades
 constexpr double fitFilled = 0.85;           ///< share of the free part, as of render's presets
 constexpr float fitMargin = 0.5f * (1.0f - static_cast<float>(fitFilled));
-constexpr float mostCovered = 0.9f;
+constexpr float maxCovered = 0.9f;
 constexpr float aboveStatus = 0.02f;  ///< share of the height that stays free
 constexpr double nearestToEye = 1e-3; ///< [m]
 
@@ -113,12 +113,12 @@ Pane paneOf(glm::vec2 size, const Covered& covered)
 {
     const glm::vec2 whole(std::max(size.x, 1.0f), std::max(size.y, 1.0f));
     Pane pane{.aspect = whole.x / whole.y};
-    pane.bottom = std::min(beyondMargin(covered.status / whole.y + aboveStatus), mostCovered);
+    pane.bottom = std::min(beyondMargin(covered.status / whole.y + aboveStatus), maxCovered);
     if (covered.panel > 0.0f)
-        pane.left = std::min((covered.rail + covered.panel) / whole.x, mostCovered);
+        pane.left = std::min((covered.rail + covered.panel) / whole.x, maxCovered);
     else // both sides alike
         pane.left = pane.right =
-            std::min(0.5f * mostCovered, std::max(covered.rail / whole.x - fitMargin, 0.0f) /
+            std::min(0.5f * maxCovered, std::max(covered.rail / whole.x - fitMargin, 0.0f) /
                                              static_cast<float>(fitFilled));
     return pane;
 }

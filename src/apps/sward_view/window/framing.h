@@ -1,5 +1,6 @@
 #pragma once
 
+#include "apps/sward_view/interface/covered.h"
 #include "field/field.h"
 #include "render/camera.h"
 
@@ -40,13 +41,6 @@ struct Pane {
     float freeAspect() const { return aspect * (1.0f - left - right) / (1.0f - bottom); }
     /// Middle of the free part to the right of the window's middle, in shares of the width.
     float shift() const { return 0.5f * (left - right); }
-};
-
-/// What the interface covers, in the window's coordinates; 0: it is not shown.
-struct Covered {
-    float rail = 0.0f;   ///< width on the left
-    float panel = 0.0f;  ///< width beside the rail
-    float status = 0.0f; ///< height below
 };
 
 /// The part of a window of `size` in which `fit` shows a field: what is beside the panel. Rail and
