@@ -169,6 +169,10 @@ void Viewer::look()
     Input input = window_.takeInput();
     rest_.mustShow = rest_.mustShow || input.exposed;
     controls_.beginFrame(keysForControls(input));
+    // After a click the controls come first: it may begin to type into one of them.
+    const bool isClicked = input.leftPressed;
+    if (!isClicked)
+        pressKeys(input);
     steer(input);
     keepTime();
     tell();
@@ -179,8 +183,8 @@ void Viewer::look()
         overlay.tell(viewerState_, controlMap_);
     }
     layout_.draw(controls_, viewerState_);
-    // After the controls: a click before the key may have begun to type into one of them.
-    pressKeys(input);
+    if (isClicked)
+        pressKeys(input);
     interface_.end();
     controlMap_.finishFrame();
 }
