@@ -21,7 +21,7 @@ constexpr double relativeSlack = 1e-6;
 // Below this, a sum of normals is nearly 0 somewhere, and its direction may be any.
 constexpr double shortestNormal = 1e-3;
 
-using Corners = std::array<glm::dvec3, 3>;
+using PartCorners = std::array<glm::dvec3, 3>;
 
 // Values of the part's corners, interpolated between those of its triangle.
 template <typename Value>
@@ -40,7 +40,7 @@ double lengthOf(const glm::dvec3& v)
 
 // Interval of the cosine between `up` and unit normals that are interpolated over the part:
 // dot(s, up) / |s|, where s is linear between the sums at the corners.
-Interval uprightOf(const Corners& sums, const glm::dvec3& face, const glm::dvec3& up)
+Interval uprightOf(const PartCorners& sums, const glm::dvec3& face, const glm::dvec3& up)
 {
     const glm::dvec3 middle = sums[0] + sums[1] + sums[2];
     const double middleLength = lengthOf(middle);
@@ -87,9 +87,9 @@ SiteRange siteRange(const terrain::GroundMesh& ground, const GroundUp& groundUp,
 {
     const glm::uvec3 t = ground.triangles[part.triangle];
     const auto of = [&](const auto& list) {
-        return Corners{glm::dvec3(list[t.x]), glm::dvec3(list[t.y]), glm::dvec3(list[t.z])};
+        return PartCorners{glm::dvec3(list[t.x]), glm::dvec3(list[t.y]), glm::dvec3(list[t.z])};
     };
-    const Corners places = atCorners(part, of(ground.positions));
+    const PartCorners places = atCorners(part, of(ground.positions));
     const glm::dvec3 middle = (places[0] + places[1] + places[2]) / 3.0;
     const glm::dvec3 world = ground.origin + middle;
     SiteRange range;

@@ -39,7 +39,7 @@ struct KeyLine {
     const char* meaning;
 };
 
-constexpr std::array<KeyLine, 25> keyLines{
+constexpr std::array<KeyLine, 27> keyLines{
     {{"Drop, Shift+drop", "open a file; add it to the fields shown"},
      {"Left drag", "orbit"},
      {"Middle drag, Shift+left", "pan"},
