@@ -1,11 +1,12 @@
 # sward_add_shaders(TARGET SOURCES …)
 #   Compiles each GLSL stage with true dependencies (--depfile), validates it, and collects the
 #   modules in the property SWARD_SPIRV of TARGET.
-#   -gV is never used: glslang 12 writes modules with it that spirv-val rejects.
+#   Neither -g, which puts the text of every header into each module (10 MB in all), nor -gV, with which
+#   glslang 12 writes modules that spirv-val rejects.
 find_program(GLSLANG_VALIDATOR glslangValidator REQUIRED)
 find_program(SPIRV_VAL spirv-val REQUIRED)
 # The viewer compiles with the same, where it reloads shaders.
-set(SWARD_GLSLANG_FLAGS --quiet -V --target-env vulkan1.3 -g)
+set(SWARD_GLSLANG_FLAGS --quiet -V --target-env vulkan1.3)
 set(SWARD_SPIRV_VAL_FLAGS --target-env vulkan1.3 --scalar-block-layout)
 
 function(sward_add_shaders target)

@@ -62,8 +62,8 @@ struct AscHeader {
 // Cells of less than this are degrees of a geographic grid, whatever the rest says [m].
 constexpr double minMetres = 0.05;
 
-// Real ground is less than this share of its length high.
-constexpr double steepest = 0.5;
+// No ground is this many times as high as it is long.
+constexpr double steepest = 4.0;
 
 // Whether a cell is a whole number of arc minutes that no one writes in metres, as 0.0833333.
 bool isArcMinutes(double cell)

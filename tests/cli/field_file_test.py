@@ -99,6 +99,21 @@ class FieldFile(CliTest):
             self.assertNotIn(letters, text)
         self.assertNotRegex(text, r"1e\+?300")
 
+    def test_info_for_people_lists_masks_and_organs_of_species(self):
+        field = self.bake(ROOT / "assets/meshes/landscape.glb", "--count", "300", "--meadow", "daisies", "--set",
+                          "species.daisy.mask=vertex-color:R:or-white", to="f.sward")
+        text = self.sward("info", field).stdout
+        species = self.info(field)["provenance"]["settings"]["meadow"]["species"]
+        daisy = next(one for one in species if one["name"] == "daisy")
+        self.assertRegex(text, r"(?m)^ +mask +none +none +1 below$")
+        self.assertRegex(text, rf"(?m)^ +organs .*{len(daisy['organs'])} below")
+        self.assertIn("  masks of daisy\n    vertex-color:R:or-white\n", text)
+        table = text.split("  organs of daisy\n")[1].split("\n  ")[0]
+        for organ in daisy["organs"]:
+            self.assertIn(organ["name"], table)
+        self.assertRegex(text, r"(?m)^    pitch +-?\d+( to -?\d+)? degrees")
+        self.assertLess(max(map(len, text.splitlines())), 120)
+
     def test_the_csv_has_the_contract_s_header_and_a_row_for_each_blade(self):
         self.sward("export", "field.sward", "-o", "f.csv")
         lines = (self.folder / "f.csv").read_text().splitlines()

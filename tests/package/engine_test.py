@@ -73,7 +73,7 @@ class QuickStart(ExampleTest):
     def test_the_host_on_the_engine_page_draws_without_a_validation_message(self):
         needs("pillow")
         text = PAGE.read_text(encoding="utf-8")
-        section = text[text.index("\n## A complete host\n"):text.index("\n## What the device must have")]
+        section = text[text.index("\n## A complete host\n"):text.index("\n## Your ground")]
         blocks = dict(re.findall(r"(?ms)^```(\w+)\n(.*?)^```", section))
         source = ROOT / "examples/quick_start"
         self.assertEqual(blocks["cmake"], (source / "CMakeLists.txt").read_text(encoding="utf-8"))

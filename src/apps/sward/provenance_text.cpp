@@ -20,7 +20,7 @@ using nlohmann::json;
 
 constexpr std::size_t nameColumns = 22;
 constexpr std::size_t speciesColumns = 20;
-constexpr std::size_t speciesAbreast = 3; ///< species per table
+constexpr std::size_t abreast = 3; ///< species or organs per table
 
 // Settings of three numbers, low, high and the width of the fade, with their units.
 constexpr std::array<std::pair<std::string_view, std::string_view>, 6> ranges{{{"slope", "degrees"},
@@ -77,7 +77,7 @@ std::string unitOf(std::string_view key)
     for (const auto& [name, unit] : units)
         if (key == name)
             return fmt::format(" {}", unit);
-    return key.ends_with("_m") ? " m" : "";
+    return key.ends_with("_m") ? " m" : key.ends_with("_deg") ? " degrees" : "";
 }
 
 std::string valueText(std::string_view key, const json& value);
@@ -128,8 +128,9 @@ std::string valueText(std::string_view key, const json& value)
 // "clump_size_m" as "clump size".
 std::string nameText(std::string key)
 {
-    if (key.ends_with("_m"))
-        key.resize(key.size() - 2);
+    for (const std::string_view unit : {"_m", "_deg"})
+        if (key.ends_with(unit))
+            key.resize(key.size() - unit.size());
     std::ranges::replace(key, '_', ' ');
     return key;
 }
@@ -140,24 +141,59 @@ std::string row(std::size_t indent, const std::string& key, const std::string& v
                        nameColumns - indent, value);
 }
 
-// Table with keys as rows and species as columns.
-std::string speciesText(const json& species)
+bool isTable(const json& list)
+{
+    return list.is_array() && !list.empty() &&
+           std::ranges::all_of(list, [](const json& one) { return one.is_object(); });
+}
+
+// A cell of a table. Masks and organs are listed below it.
+std::string cellText(const json& one, const std::string& key)
+{
+    if (!one.contains(key))
+        return "";
+    const json& value = one.at(key);
+    if ((key != "mask" && key != "organs") || value.empty() || value == "")
+        return valueText(key, value);
+    return fmt::format("{} below", value.is_array() ? value.size() : 1);
+}
+
+// Table with keys as rows, and species or organs as columns.
+std::string tableText(const json& list)
 {
     std::string text;
-    for (std::size_t first = 0; first < species.size(); first += speciesAbreast) {
-        const std::size_t beyond = std::min(first + speciesAbreast, species.size());
+    for (std::size_t first = 0; first < list.size(); first += abreast) {
+        const std::size_t beyond = std::min(first + abreast, list.size());
         std::vector<std::string> keys{"name"};
-        for (const auto& [key, value] : species[first].items())
-            if (key != "name")
-                keys.push_back(key);
+        for (std::size_t i = first; i < beyond; ++i)
+            for (const auto& [key, value] : list[i].items())
+                if (std::ranges::find(keys, key) == keys.end())
+                    keys.push_back(key);
         for (const std::string& key : keys) {
             std::string line = fmt::format("    {:<{}}", nameText(key), nameColumns);
             for (std::size_t i = first; i < beyond; ++i)
-                line += fmt::format(
-                    "{:<{}}  ", species[i].contains(key) ? valueText(key, species[i].at(key)) : "",
-                    speciesColumns);
+                line += fmt::format("{:<{}}  ", cellText(list[i], key), speciesColumns);
             text += line.substr(0, line.find_last_not_of(' ') + 1) + "\n";
         }
+    }
+    return text;
+}
+
+// The species, followed by the masks and organs of each.
+std::string speciesText(const json& species)
+{
+    std::string text = "  species of the meadow\n" + tableText(species);
+    for (const json& one : species) {
+        const std::string name = valueText("name", one.value("name", json()));
+        json masks = one.value("mask", json::array());
+        if (!masks.is_array())
+            masks = masks == "" ? json::array() : json::array({masks});
+        if (!masks.empty())
+            text += fmt::format("  masks of {}\n", name);
+        for (const json& mask : masks)
+            text += fmt::format("    {}\n", valueText("mask", mask));
+        if (const json organs = one.value("organs", json::array()); isTable(organs))
+            text += fmt::format("  organs of {}\n", name) + tableText(organs);
     }
     return text;
 }
@@ -177,10 +213,7 @@ std::string settingsText(const json& settings)
         if (key != "species")
             text += row(4, key, valueText(key, value));
     const json& species = meadow.value("species", json::array());
-    const bool isTable = species.is_array() &&
-                         std::ranges::all_of(species, [](const json& s) { return s.is_object(); });
-    return isTable && !species.empty() ? text + "  species of the meadow\n" + speciesText(species)
-                                       : text;
+    return isTable(species) ? text + speciesText(species) : text;
 }
 
 } // namespace

@@ -53,7 +53,7 @@ std::string unknown(const std::string& word, const std::vector<std::string>& kno
         upper += static_cast<char>(std::toupper(static_cast<unsigned char>(c)));
     const bool isSmall =
         isChannel(upper) && std::find(known.begin(), known.end(), "R") != known.end();
-    const std::string near = isSmall          ? upper
+    const std::string near = isSmall           ? upper
                              : word.size() < 2 ? std::string()
                                                : nearestWord(word, known);
     return fmt::format("\"{}\" is not one of {}{}", word, fmt::join(known, ", "),
@@ -71,9 +71,8 @@ std::string troubleBehind(const std::vector<std::string>& words, std::size_t fir
             return std::size_t(0);
         const std::string name = isSet(word) ? "uv1" : word;
         const auto found = std::find(optional.begin(), optional.end(), name);
-        return found == optional.end()
-                   ? known.size()
-                   : 1 + static_cast<std::size_t>(found - optional.begin());
+        return found == optional.end() ? known.size()
+                                       : 1 + static_cast<std::size_t>(found - optional.begin());
     };
     std::size_t before = 0;
     bool isFirst = true;

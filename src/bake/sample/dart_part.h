@@ -46,6 +46,16 @@ struct DartShares {
     }
 };
 
+/// Place of a part on its triangle, before darts fly.
+struct DartPlace {
+    static constexpr std::uint32_t bare = 0xffffffffU;
+
+    std::uint32_t side; ///< index of its triangle side, or `bare`
+    std::uint16_t column;
+    std::uint16_t row;
+    bool turned;
+};
+
 /// One of the 4^(level + pass) parts of its triangle, with what darts at it need; a cache line.
 struct DartPart {
     /// Which of its darts a tile counts.

@@ -145,15 +145,16 @@ void RegionParts::gather(std::span<const RegionPiece> pieces)
                 if (lattice_.regionOf(middle) != piece.region)
                     return;
             }
-            Place& added = places_.emplace_back(Place{index, static_cast<std::uint16_t>(column),
-                                                      static_cast<std::uint16_t>(row), turned});
+            DartPlace& added =
+                places_.emplace_back(DartPlace{index, static_cast<std::uint16_t>(column),
+                                               static_cast<std::uint16_t>(row), turned});
             WeightBound bound{double(side.bound), side.boundReason};
             if (!bound.isBare() && side.level > 0)
                 bound = boundOn({side.triangle, side.back, double(fragment.b), double(fragment.c),
                                  double(fragment.size)});
             if (bound.isBare()) {
                 bareDarts_[static_cast<std::size_t>(bound.reason)] += dartsAt(side, added);
-                added.side = Place::bare;
+                added.side = DartPlace::bare;
             }
             sideBears = sideBears || !bound.isBare();
         };
@@ -170,7 +171,7 @@ WeightBound RegionParts::boundOn(const GroundPart& part) const
 
 // Number of darts of the first pass at a part, if a tile counts it. Its middle decides, so that
 // tiles add up to the whole.
-std::uint64_t RegionParts::dartsAt(const TriangleSide& side, const Place& place) const
+std::uint64_t RegionParts::dartsAt(const TriangleSide& side, const DartPlace& place) const
 {
     const Fragment fragment = fragmentAt(side.level, place.column, place.row, place.turned);
     const double third = double(fragment.size) / 3.0;
@@ -183,7 +184,7 @@ std::uint64_t RegionParts::dartsAt(const TriangleSide& side, const Place& place)
 }
 
 // Key of the random numbers of a part of the current pass.
-std::uint64_t RegionParts::keyOf(const TriangleSide& side, const Place& place) const
+std::uint64_t RegionParts::keyOf(const TriangleSide& side, const DartPlace& place) const
 {
     const std::uint64_t number =
         std::uint64_t(side.firstNumber[std::size_t(pass_)]) +
@@ -275,7 +276,7 @@ void RegionParts::makeParts()
     parts_.clear();
     parts_.reserve(places_.size());
     forEachInStrides(places_.size(), [&](std::size_t at) {
-        if (places_[at].side != Place::bare)
+        if (places_[at].side != DartPlace::bare)
             addPart(places_[at]);
     });
 }
@@ -283,14 +284,14 @@ void RegionParts::makeParts()
 void RegionParts::placeTurns()
 {
     parts_.clear();
-    for (std::vector<Place>& turn : turns_) {
-        for (const Place& place : turn)
+    for (std::vector<DartPlace>& turn : turns_) {
+        for (const DartPlace& place : turn)
             addPart(place);
         turn.clear();
     }
 }
 
-void RegionParts::addPart(const Place& place)
+void RegionParts::addPart(const DartPlace& place)
 {
     const TriangleSide& side = sides_[place.side];
     const int level = side.level + pass_;

@@ -63,14 +63,6 @@ public:
     std::span<const DartPart> parts() const { return parts_; }
     std::span<const TriangleSide> sides() const { return sides_; }
     const TriangleSide& sideOf(const DartPart& part) const { return sides_[part.side]; }
-
-    /// Fetches what a dart at this part will read.
-    void prefetch(const DartPart& part) const
-    {
-        const auto* const side = reinterpret_cast<const char*>(&sides_[part.side]);
-        __builtin_prefetch(side);
-        __builtin_prefetch(side + 64);
-    }
     int pass() const { return pass_; }
 
     Fragment fragmentOf(const DartPart& part) const
@@ -82,23 +74,14 @@ public:
     std::uint32_t candidate(const DartPart& part, std::uint32_t index) const;
 
 private:
-    struct Place {
-        static constexpr std::uint32_t bare = 0xffffffffU;
-
-        std::uint32_t side; ///< or `bare`
-        std::uint16_t column;
-        std::uint16_t row;
-        bool turned;
-    };
-
     void addSide(const RegionPiece& piece);
     WeightBound boundOn(const GroundPart& part) const;
-    std::uint64_t dartsAt(const TriangleSide& side, const Place& place) const;
-    std::uint64_t keyOf(const TriangleSide& side, const Place& place) const;
+    std::uint64_t dartsAt(const TriangleSide& side, const DartPlace& place) const;
+    std::uint64_t keyOf(const TriangleSide& side, const DartPlace& place) const;
     std::uint32_t shareOf(std::uint64_t key) const;
     void makeParts();
     void placeTurns();
-    void addPart(const Place& place);
+    void addPart(const DartPlace& place);
     static std::array<DartPart, 4> quartersOf(const DartPart& part);
 
     template <typename Closed>
@@ -126,11 +109,11 @@ private:
     const TileRegion* counted_;
 
     std::vector<TriangleSide> sides_;
-    std::vector<Place> places_; ///< bare ones too: they keep the order of the others
+    std::vector<DartPlace> places_; ///< bare ones too: they keep the order of the others
     std::array<std::uint64_t, rejectCount> bareDarts_{};
     PoissonLattice::Key region_ = 0;
     std::vector<DartPart> parts_;
-    std::vector<std::vector<Place>> turns_; ///< places of quarters, by their turn
+    std::vector<std::vector<DartPlace>> turns_; ///< places of quarters, by their turn
     int pass_ = 0;
 };
 
