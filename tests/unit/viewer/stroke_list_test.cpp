@@ -301,7 +301,8 @@ TEST(StrokeFile, OtherFilesAreRefused)
     for (const char* text :
          {"", "[]", "{", "{\"format\":\"sward strokes 2\",\"strokes\":[]}",
           "{\"format\":\"sward strokes 1\"}", "{\"format\":\"sward strokes 1\",\"strokes\":3}",
-          "{\"strokes\":[]}"}) {
+          "{\"strokes\":[]}",
+          "{\"format\":\"sward strokes 1\",\"strokes\":[{}],\"strokes\":[]}"}) {
         std::ofstream(path) << text;
         EXPECT_THROW(readStrokeFile(path), Error) << text;
     }

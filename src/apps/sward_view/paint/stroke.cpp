@@ -2,6 +2,7 @@
 
 #include "apps/sward_view/paint/brush_values.h"
 #include "core/error.h"
+#include "core/json_check.h"
 #include "core/json_text.h"
 #include "core/mapped_file.h"
 
@@ -143,6 +144,7 @@ std::vector<std::string> readStrokeFile(const std::filesystem::path& path)
 {
     const std::vector<std::byte> bytes = readFile(path, largestStrokeFile);
     const auto* const text = reinterpret_cast<const char*>(bytes.data());
+    requireJson({text, bytes.size()}, path.string());
     const auto file = nlohmann::ordered_json::parse(text, text + bytes.size(), nullptr, false);
     const auto format = file.is_object() ? file.find("format") : file.end();
     const auto list = file.is_object() ? file.find("strokes") : file.end();
