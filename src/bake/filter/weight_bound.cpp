@@ -8,7 +8,6 @@
 namespace sward::bake {
 namespace {
 
-constexpr double halfTurn = 180.0;
 constexpr double degreesOfRadian = 57.29577951308232;
 
 // Wider than the rounding of a product of weights.
@@ -44,7 +43,10 @@ WeightBounds::WeightBounds(const terrain::GroundMesh& ground, const BakeSettings
     , settings_(settings)
     , features_(features)
     , everywhere_({settings.slope, settings.altitude, settings.curvature, settings.masks})
+    , all_(placeOf(everywhere_))
 {
+    for (const SpeciesTraits& one : settings.meadow.species)
+        species_.push_back(placeOf(one.habitat));
     testsAll_ = everywhere_.needsAnything() || settings.minIsland > 0.0 ||
                 !settings.water.holds(-unbounded, unbounded);
     const std::vector<SpeciesTraits>& species = settings.meadow.species;
@@ -54,12 +56,23 @@ WeightBounds::WeightBounds(const terrain::GroundMesh& ground, const BakeSettings
                     });
 }
 
-WeightBound WeightBounds::of(const Habitat& habitat, const SiteRange& range,
+WeightBounds::Place WeightBounds::placeOf(const Habitat& habitat)
+{
+    const auto cosine = [](double degrees) {
+        return exactSinCos(std::clamp(degrees, 0.0, 180.0) / degreesOfRadian).cos;
+    };
+    return {&habitat, {cosine(habitat.slope.high), cosine(habitat.slope.low)}};
+}
+
+WeightBound WeightBounds::of(const Place& place, const SiteRange& range,
                              const GroundPart& part) const
 {
+    const Habitat& habitat = *place.habitat;
     WeightBound bound;
     double lowest = 1.0;
-    if (habitat.needsSlope())
+    const bool isSloped =
+        range.upright.high < place.upright.low || range.upright.low > place.upright.high;
+    if (habitat.needsSlope() && isSloped) // an arc cosine is slow
         lower(bound, highest(habitat.slope, slopesOf(range.upright)), Reject::slope, lowest);
     if (habitat.needsAltitude())
         lower(bound, highest(habitat.altitude, range.altitude), Reject::altitude, lowest);
@@ -82,7 +95,7 @@ WeightBound WeightBounds::on(const GroundPart& part) const
         if (settings_.minIsland > 0.0 &&
             double(features_->islandArea[part.triangle]) < settings_.minIsland)
             return {0.0, Reject::border};
-        const WeightBound all = of(everywhere_, range, part);
+        const WeightBound all = of(all_, range, part);
         lower(bound, all.weight, all.reason, lowest);
         lower(bound, highest(settings_.water, range.altitude), Reject::water, lowest);
     }
@@ -91,9 +104,9 @@ WeightBound WeightBounds::on(const GroundPart& part) const
         double presence = 0.0;
         Reject reason = Reject::mask;
         double best = -1.0;
-        for (const SpeciesTraits& species : settings_.meadow.species) {
-            const WeightBound own = of(species.habitat, range, part);
-            presence += species.cover * own.weight;
+        for (std::size_t i = 0; i < species_.size(); ++i) {
+            const WeightBound own = of(species_[i], range, part);
+            presence += settings_.meadow.species[i].cover * own.weight;
             if (own.weight > best)
                 reason = own.reason;
             best = std::max(best, own.weight);

@@ -6,6 +6,8 @@
 #include "terrain/ground_mesh.h"
 #include "terrain/topology/surface_features.h"
 
+#include <vector>
+
 namespace sward::bake {
 
 /// Upper bound of RootFilter::weigh() on a part of the ground, and the factor that lowers it most.
@@ -21,6 +23,9 @@ struct WeightBound {
 /// (but ground:green), of all ground and of each species. Other filters count as 1. Thread-safe.
 class WeightBounds {
 public:
+    WeightBounds(const WeightBounds&) = delete;
+    WeightBounds& operator=(const WeightBounds&) = delete;
+
     /// All arguments must outlive it. `features` as RootFilter has them.
     WeightBounds(const terrain::GroundMesh& ground, const BakeSettings& settings,
                  const terrain::SurfaceFeatures* features);
@@ -31,12 +36,20 @@ public:
     WeightBound on(const GroundPart& part) const;
 
 private:
-    WeightBound of(const Habitat& habitat, const SiteRange& range, const GroundPart& part) const;
+    struct Place {
+        const Habitat* habitat;
+        Interval upright; ///< cosines of the slopes of weight 1
+    };
+
+    static Place placeOf(const Habitat& habitat);
+    WeightBound of(const Place& place, const SiteRange& range, const GroundPart& part) const;
 
     const terrain::GroundMesh& ground_;
     const BakeSettings& settings_;
     const terrain::SurfaceFeatures* features_;
     Habitat everywhere_;
+    Place all_;
+    std::vector<Place> species_;
     bool testsAll_ = false;     ///< filters of all ground
     bool testsSpecies_ = false; ///< every species has a habitat or a cover
 };
