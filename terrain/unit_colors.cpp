@@ -20,31 +20,58 @@ float divisorOf(float largest)
     return largest <= 255.0f ? 255.0f : 65535.0f;
 }
 
+struct Range {
+    float least = 0.0f;
+    float largest = 0.0f; // of red, green and blue
+    float largestAlpha = 0.0f;
+};
+
+Range rangeOf(std::span<const glm::vec4> colors)
+{
+    Range range;
+    for (const glm::vec4& color : colors) {
+        range.largest = std::max({range.largest, color.x, color.y, color.z});
+        range.largestAlpha = std::max(range.largestAlpha, color.w);
+        range.least = std::min({range.least, color.x, color.y, color.z, color.w});
+    }
+    return range;
+}
+
 } // namespace
+
+glm::vec4 scaleToUnit(std::span<glm::vec4> colors, const std::string& place,
+                      const std::string& what, Diagnostics& diagnostics)
+{
+    const Range range = rangeOf(colors);
+    const float divisor = divisorOf(range.largest);
+    const float alphaDivisor = divisorOf(range.largestAlpha);
+    const glm::vec4 factor(divisor, divisor, divisor, alphaDivisor);
+    if (divisor <= 1.0f && alphaDivisor <= 1.0f)
+        return factor;
+    diagnostics.warn("{}: {} reaches {:.6g}, not 1: its numbers are divided by {}", place, what,
+                     std::max(range.largest, range.largestAlpha), std::max(divisor, alphaDivisor));
+    for (glm::vec4& color : colors)
+        color /= factor;
+    return factor;
+}
+
+void cutToUnit(std::span<glm::vec4> colors, const std::string& place, const std::string& what,
+               Diagnostics& diagnostics)
+{
+    const Range range = rangeOf(colors);
+    const float over = std::max(range.largest, range.largestAlpha);
+    if (over > 1.0f + tolerance || range.least < -tolerance)
+        diagnostics.warn("{}: {} lies from {:.6g} to {:.6g}, and is cut off at 0 and 1", place,
+                         what, range.least, over);
+    for (glm::vec4& color : colors)
+        color = glm::clamp(color, 0.0f, 1.0f);
+}
 
 void bringToUnit(std::span<glm::vec4> colors, const std::string& place, const std::string& what,
                  Diagnostics& diagnostics)
 {
-    float largest = 0.0f;
-    float largestAlpha = 0.0f;
-    float least = 0.0f;
-    for (const glm::vec4& color : colors) {
-        largest = std::max({largest, color.x, color.y, color.z});
-        largestAlpha = std::max(largestAlpha, color.w);
-        least = std::min({least, color.x, color.y, color.z, color.w});
-    }
-    const float divisor = divisorOf(largest);
-    const float alphaDivisor = divisorOf(largestAlpha);
-    const float over = std::max(largest, largestAlpha);
-    if (divisor > 1.0f || alphaDivisor > 1.0f)
-        diagnostics.warn("{}: {} reaches {:.6g}, not 1: its numbers are divided by {}", place, what,
-                         over, std::max(divisor, alphaDivisor));
-    else if (over > 1.0f + tolerance || least < -tolerance)
-        diagnostics.warn("{}: {} lies from {:.6g} to {:.6g}, and is cut off at 0 and 1", place,
-                         what, least, over);
-    const glm::vec4 factor(glm::vec4(divisor, divisor, divisor, alphaDivisor));
-    for (glm::vec4& color : colors)
-        color = glm::clamp(color / factor, 0.0f, 1.0f);
+    scaleToUnit(colors, place, what, diagnostics);
+    cutToUnit(colors, place, what, diagnostics);
 }
 
 } // namespace sward::terrain

@@ -16,4 +16,12 @@ namespace sward::terrain {
 void bringToUnit(std::span<glm::vec4> colors, const std::string& place, const std::string& what,
                  Diagnostics& diagnostics);
 
+/// The first half of bringToUnit(): divides, cuts nothing off. Returns the divisors, 1 or more.
+glm::vec4 scaleToUnit(std::span<glm::vec4> colors, const std::string& place,
+                      const std::string& what, Diagnostics& diagnostics);
+
+/// The second half: cuts off at 0 and 1, with a warning.
+void cutToUnit(std::span<glm::vec4> colors, const std::string& place, const std::string& what,
+               Diagnostics& diagnostics);
+
 } // namespace sward::terrain

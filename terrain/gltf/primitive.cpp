@@ -242,12 +242,16 @@ private:
                       [&](std::size_t vertex, const float* c, std::size_t components) {
                           soup_.colors[vertex] = {c[0], c[1], c[2], components == 4 ? c[3] : 1.0f};
                       });
+        // Differences have the unit of the colours, whatever the sum reaches.
+        const std::span<glm::vec4> own = std::span(soup_.colors).subspan(first_);
+        const glm::vec4 unit = scaleToUnit(own, place_, "COLOR_0", diagnostics);
         addTargets("COLOR_0", 3, 4,
                    [&](std::size_t vertex, double weight, const float* d, std::size_t components) {
                        for (std::size_t c = 0; c < components; ++c)
-                           soup_.colors[vertex][int(c)] += static_cast<float>(weight) * d[c];
+                           soup_.colors[vertex][int(c)] +=
+                               static_cast<float>(weight) * d[c] / unit[int(c)];
                    });
-        bringToUnit(std::span(soup_.colors).subspan(first_), place_, "COLOR_0", diagnostics);
+        cutToUnit(own, place_, "COLOR_0", diagnostics);
         soup_.hasColors = true;
     }
 
@@ -278,10 +282,13 @@ private:
                               value[int(c)] = numbers[c];
                           kept.values[vertex] = value;
                       });
+        const std::span<glm::vec4> own = std::span(kept.values).subspan(first_);
+        const glm::vec4 unit = isUv ? glm::vec4(1.0f) : scaleToUnit(own, place_, name, diagnostics);
         addTargets(name, low, isUv ? 2 : 4,
                    [&](std::size_t vertex, double weight, const float* d, std::size_t components) {
                        for (std::size_t c = 0; c < components; ++c)
-                           kept.values[vertex][int(c)] += static_cast<float>(weight) * d[c];
+                           kept.values[vertex][int(c)] +=
+                               static_cast<float>(weight) * d[c] / unit[int(c)];
                    });
         // Packers store coordinates as integers, and their scale in the material.
         if (isUv && !shape.isFloat() && shown.placing != GltfUvSource{}.placing)
@@ -290,7 +297,7 @@ private:
                              ":transform follows it",
                              place_, name);
         if (!isUv)
-            bringToUnit(std::span(kept.values).subspan(first_), place_, name, diagnostics);
+            cutToUnit(own, place_, name, diagnostics);
     }
 
     void readTriangles(std::uint32_t material, Diagnostics& diagnostics)

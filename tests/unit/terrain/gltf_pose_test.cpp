@@ -249,6 +249,22 @@ TEST(GltfPose, MorphsReachNormalsColorsAndTextureCoordinates)
     EXPECT_NEAR(mesh.colors[1].y, 0.5, 1e-6);
 }
 
+TEST(GltfPose, MorphedColorsAreCutOffAndNotDivided)
+{
+    GlbBuilder builder = triangleGlb();
+    auto& primitive = builder.document["meshes"][0]["primitives"][0];
+    primitive["attributes"]["COLOR_0"] =
+        builder.floats({0.5f, 0.5f, 0.5f, 0.5f, 0.5f, 0.5f, 0.5f, 0.5f, 0.5f}, "VEC3");
+    primitive["targets"] = {{{"COLOR_0", builder.floats({3, 0, 0, 0, 0, 0, 0, 0, 0}, "VEC3")}}};
+    builder.document["meshes"][0]["weights"] = {1};
+    Diagnostics diagnostics;
+    const GroundMesh mesh = loadContent("a.glb", builder.glb(), {}, &diagnostics);
+    EXPECT_NEAR(mesh.colors[0].x, 1.0, 1e-6);
+    EXPECT_NEAR(mesh.colors[0].y, 0.5, 1e-6);
+    EXPECT_NEAR(mesh.colors[1].x, 0.5, 1e-6);
+    EXPECT_THAT(diagnostics.warnings(), Contains(HasSubstr("cut off at 0 and 1")));
+}
+
 TEST(GltfPose, AMeshIsMorphedBeforeItIsSkinned)
 {
     Skinned skinned({1, 0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0});
