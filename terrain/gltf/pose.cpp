@@ -11,6 +11,8 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
+#include <string_view>
+#include <unordered_map>
 #include <utility>
 
 namespace sward::terrain {
@@ -22,20 +24,54 @@ struct Influences {
     std::vector<std::vector<float>> weights;
 };
 
+// Weights of a primitive, zeros of accessors without a bufferView included: so many are free, and
+// so many more for each byte of the file. Compression takes a fraction of a byte for one.
+constexpr std::uint64_t freeWeights = std::uint64_t(1) << 22;
+constexpr std::uint64_t weightGain = 24;
+
+// Component types that may number joints (glTF 2.0, 3.7.3.3).
+constexpr std::uint32_t unsignedByte = 5121;
+constexpr std::uint32_t unsignedShort = 5123;
+
+void requireJointType(const GltfModel& model, int accessor, const std::string& place)
+{
+    const GltfElements& own = model.structure.accessors.at(static_cast<std::size_t>(accessor));
+    if (own.isNormalized || (own.type != unsignedByte && own.type != unsignedShort))
+        fail(ErrorKind::input,
+             "{}: accessor {} has component type {}{}, but joints are unsigned bytes or shorts "
+             "(5121 or 5123), not normalized",
+             place, accessor, own.type, own.isNormalized ? ", normalized" : "");
+}
+
 Influences influencesOf(const GltfModel& model, const GltfPrimitive& primitive,
                         std::size_t vertices, const std::string& place)
 {
     Influences found;
+    // A file may have thousands of sets: search them quickly.
+    std::unordered_map<std::string_view, int> accessors;
+    for (const auto& [name, accessor] : primitive.attributes)
+        accessors.emplace(name, accessor);
+    const auto accessorNamed = [&](const std::string& name) {
+        const auto entry = accessors.find(name);
+        return entry == accessors.end() ? noEntry : entry->second;
+    };
+    const std::uint64_t limit = freeWeights + weightGain * model.size;
     for (int set = 0;; ++set) {
         const std::string joints = fmt::format("JOINTS_{}", set);
         const std::string weights = fmt::format("WEIGHTS_{}", set);
-        const int jointsAt = accessorOf(primitive.attributes, joints);
-        const int weightsAt = accessorOf(primitive.attributes, weights);
+        const int jointsAt = accessorNamed(joints);
+        const int weightsAt = accessorNamed(weights);
         if (jointsAt == noEntry && weightsAt == noEntry)
             return found;
         if (jointsAt == noEntry || weightsAt == noEntry)
             fail(ErrorKind::input, "{}: it has {} and no {}", place,
                  jointsAt == noEntry ? weights : joints, jointsAt == noEntry ? joints : weights);
+        if (const std::uint64_t count = (std::uint64_t(set) + 1) * 4 * vertices; count > limit)
+            fail(ErrorKind::input,
+                 "{}: JOINTS_0 to {} give {} weights to its {} vertices, more than {}, which a "
+                 "file of {} bytes may have",
+                 place, joints, count, vertices, limit, model.size);
+        requireJointType(model, jointsAt, place + ": " + joints);
         const auto numbersOf = [&](int accessor, const std::string& name) {
             const GltfAccessor reader(model, accessor, place + ": " + name);
             reader.requireComponents(4, 4);
@@ -140,6 +176,40 @@ glm::dmat4 GltfPoser::worldOf(int node)
     return world;
 }
 
+std::vector<glm::dmat4> GltfPoser::jointsOf(int index)
+{
+    constexpr double tolerance = 1e-4; // rounding of inverses in single precision
+    const GltfSkin& skin = model_.structure.skins.at(static_cast<std::size_t>(index));
+    std::vector<float> binds;
+    if (skin.inverseBind != noEntry)
+        binds = GltfAccessor(model_, skin.inverseBind,
+                             fmt::format("{}: skin {}: inverseBindMatrices", place_, index))
+                    .numbers();
+    std::vector<glm::dmat4> joints;
+    for (std::size_t i = 0; i < skin.joints.size(); ++i) {
+        glm::dmat4 bind(1.0);
+        for (std::size_t n = 0; n < 16 && !binds.empty(); ++n) {
+            const double number = static_cast<double>(binds[16 * i + n]);
+            if (!std::isfinite(number))
+                fail(ErrorKind::input,
+                     "{}: skin {}: element {} of the inverse bind matrix of joint {} is not a "
+                     "finite number",
+                     place_, index, n, i);
+            double& element =
+                bind[static_cast<glm::length_t>(n / 4)][static_cast<glm::length_t>(n % 4)];
+            if (n % 4 < 3)
+                element = number;
+            else if (std::fabs(number - element) > tolerance)
+                fail(ErrorKind::input,
+                     "{}: skin {}: element {} of the inverse bind matrix of joint {} is {}, but "
+                     "the last row must be 0 0 0 1: a projection does not place ground",
+                     place_, index, n, i, number);
+        }
+        joints.push_back(worldOf(skin.joints[i]) * bind);
+    }
+    return joints;
+}
+
 GltfPose GltfPoser::poseOf(int node, const glm::dmat4& placing)
 {
     const GltfNode& own = model_.structure.nodes.at(static_cast<std::size_t>(node));
@@ -150,27 +220,10 @@ GltfPose GltfPoser::poseOf(int node, const glm::dmat4& placing)
                        : own.weights;
     if (own.skin == noEntry)
         return pose;
-    const GltfSkin& skin = model_.structure.skins.at(static_cast<std::size_t>(own.skin));
-    std::vector<float> binds;
-    if (skin.inverseBind != noEntry)
-        binds = GltfAccessor(model_, skin.inverseBind,
-                             fmt::format("{}: skin {}: inverseBindMatrices", place_, own.skin))
-                    .numbers();
-    for (std::size_t i = 0; i < skin.joints.size(); ++i) {
-        glm::dmat4 bind(1.0);
-        for (std::size_t n = 0; n < 16 && !binds.empty(); ++n) {
-            const double number = static_cast<double>(binds[16 * i + n]);
-            if (!std::isfinite(number))
-                fail(ErrorKind::input,
-                     "{}: skin {}: element {} of the inverse bind matrix of joint {} is not a "
-                     "finite number",
-                     place_, own.skin, n, i);
-            // The last row is 0 0 0 1.
-            if (n % 4 < 3)
-                bind[static_cast<glm::length_t>(n / 4)][static_cast<glm::length_t>(n % 4)] = number;
-        }
-        pose.joints.push_back(worldOf(skin.joints[i]) * bind);
-    }
+    auto known = skins_.find(own.skin);
+    if (known == skins_.end())
+        known = skins_.emplace(own.skin, jointsOf(own.skin)).first;
+    pose.joints = known->second;
     return pose;
 }
 

@@ -6,6 +6,7 @@
 
 #include <glm/mat4x4.hpp>
 
+#include <span>
 #include <string>
 #include <unordered_map>
 #include <vector>
@@ -14,9 +15,10 @@ namespace sward::terrain {
 
 /// How a node poses its mesh at rest.
 struct GltfPose {
-    std::vector<double> weights;    ///< of the morph targets; empty: all 0
-    std::vector<glm::dmat4> joints; ///< scene from mesh, of each joint of its skin; empty: no skin
-    glm::dmat4 placing{1.0};        ///< scene from mesh, of primitives without a skin
+    std::vector<double> weights; ///< of the morph targets; empty: all 0
+    /// Scene from mesh, of each joint of its skin; empty: no skin. Valid as long as the GltfPoser.
+    std::span<const glm::dmat4> joints;
+    glm::dmat4 placing{1.0}; ///< scene from mesh, of primitives without a skin
 
     bool isSkinned() const { return !joints.empty(); }
 
@@ -39,17 +41,19 @@ public:
 
 private:
     glm::dmat4 worldOf(int node);
+    std::vector<glm::dmat4> jointsOf(int skin);
 
     const GltfModel& model_;
     std::string place_;
     std::unordered_map<int, glm::dmat4> worlds_; // scene from node, of joints and their parents
+    std::unordered_map<int, std::vector<glm::dmat4>> skins_; // joints of skins used so far
 };
 
 /// Skins the vertices from `firstVertex` on, those of `primitive`, by its JOINTS_n and WEIGHTS_n: a
 /// vertex is Σ weight · joint · vertex (glTF 2.0, 3.7.3.3), normals follow the cofactors. Weights
 /// are divided by their sum. Triangles from `firstTriangle` on are flipped where the joints mirror.
 /// A primitive without joints is placed as its node is, with a warning. Throws Error{input} naming
-/// vertex and joint.
+/// vertex and joint, and for more weights than the file's bytes allow.
 void applySkin(const GltfModel& model, const GltfPrimitive& primitive, const GltfPose& pose,
                const std::string& place, std::size_t firstVertex, std::size_t firstTriangle,
                Soup& soup, Diagnostics& diagnostics);

@@ -159,6 +159,71 @@ TEST(GltfPose, NamesWhatIsWrongWithASkin)
     EXPECT_THAT(messageOf(astray.builder), HasSubstr("joints names 7"));
 }
 
+TEST(GltfPose, RefusesMoreWeightsThanTheFileAllows)
+{
+    // Zeros that no byte of the file stands for.
+    Skinned skinned;
+    auto& document = skinned.builder.document;
+    constexpr int vertices = 60000;
+    const auto zeros = [&](int type, const char* shape) {
+        document["accessors"].push_back(
+            {{"componentType", type}, {"type", shape}, {"count", vertices}});
+        return document["accessors"].size() - 1;
+    };
+    auto& attributes = document["meshes"][0]["primitives"][0]["attributes"];
+    const std::uint8_t where[4] = {0, 0, 0, 0};
+    const float what[3] = {0, 0, 0};
+    const int indices = skinned.builder.view(where, sizeof where);
+    const int values = skinned.builder.view(what, sizeof what);
+    const auto positions = zeros(5126, "VEC3");
+    document["accessors"][positions]["sparse"] = {
+        {"count", 1},
+        {"indices", {{"bufferView", indices}, {"componentType", 5121}}},
+        {"values", {{"bufferView", values}}}};
+    const auto joints = zeros(5121, "VEC4");
+    const auto weights = zeros(5126, "VEC4");
+    attributes = {{"POSITION", positions}};
+    for (int set = 0; set < 40; ++set) {
+        attributes[fmt::format("JOINTS_{}", set)] = joints;
+        attributes[fmt::format("WEIGHTS_{}", set)] = weights;
+    }
+    EXPECT_THAT(messageOf(skinned.builder),
+                HasSubstr("JOINTS_0 to JOINTS_17 give 4320000 weights to its 60000 vertices"));
+}
+
+TEST(GltfPose, JointsAreUnsignedBytesOrShortsThatAreNotNormalized)
+{
+    Skinned normalized;
+    const auto attributesOf = [](Skinned& skinned) -> auto& {
+        return skinned.builder.document["meshes"][0]["primitives"][0]["attributes"];
+    };
+    attributesOf(normalized)["JOINTS_0"] =
+        normalized.builder.bytes({0, 1, 0, 0, 0, 1, 0, 0, 0, 1, 0, 0}, "VEC4", true);
+    EXPECT_THAT(messageOf(normalized.builder), HasSubstr("5121, normalized, but joints are"));
+    Skinned floats;
+    attributesOf(floats)["JOINTS_0"] =
+        floats.builder.floats({0, 1, 0, 0, 0, 1, 0, 0, 0, 1, 0, 0}, "VEC4");
+    EXPECT_THAT(messageOf(floats.builder), HasSubstr("component type 5126, but joints are"));
+    Skinned bytes;
+    bytes.builder.document["accessors"][attributesOf(bytes)["JOINTS_0"].get<std::size_t>()]
+                          ["componentType"] = 5120;
+    EXPECT_THAT(messageOf(bytes.builder), HasSubstr("component type 5120, but joints are"));
+}
+
+TEST(GltfPose, InverseBindMatricesAreNoProjections)
+{
+    std::vector<float> matrices = joined({moved(1, 0, 0), moved(0, 0, 0)});
+    matrices[16 + 15] = 2;
+    Skinned doubled;
+    doubled.bind(matrices);
+    EXPECT_THAT(messageOf(doubled.builder),
+                HasSubstr("element 15 of the inverse bind matrix of joint 1 is 2"));
+    matrices[16 + 15] = 1.00001f; // rounding
+    Skinned rounded;
+    rounded.bind(matrices);
+    expectCorners(rounded.load(), {{1, 2, 0}, {5, 0, 0}, {2.5, 1, -1}});
+}
+
 TEST(GltfPose, APrimitiveWithoutJointsIsPlacedByItsNode)
 {
     Skinned skinned;
