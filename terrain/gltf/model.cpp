@@ -42,7 +42,7 @@ void makeWholeNumbers(nlohmann::json& value)
         value = static_cast<std::int64_t>(number);
 }
 
-// glTF 1.0 keeps its objects under names, not in arrays.
+// glTF 1.0 keeps its objects under names, not in arrays. Its early files have no version.
 void refuseVersion1(const nlohmann::json& document, const std::string& place)
 {
     bool isVersion1 = false;
@@ -54,7 +54,7 @@ void refuseVersion1(const nlohmann::json& document, const std::string& place)
         const nlohmann::json& version = (*asset)["version"];
         const std::string text =
             version.is_string() ? version.get<std::string>() : jsonText(version);
-        isVersion1 = isVersion1 || text.starts_with("1");
+        isVersion1 = text.starts_with("1");
     }
     if (isVersion1)
         fail(ErrorKind::unsupported,

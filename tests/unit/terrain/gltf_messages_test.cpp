@@ -43,6 +43,17 @@ TEST(GltfMessages, SchemesAndTheirPartsHaveNoLetterCase)
     }
 }
 
+TEST(GltfMessages, ObjectsInThePlaceOfArraysAreVersion1OnlyWithoutAnotherVersion)
+{
+    GlbBuilder builder = triangleGlb();
+    builder.document["nodes"] = nlohmann::json::object();
+    EXPECT_THAT(refusal(builder), HasSubstr("nodes is not an array"));
+    builder.document["asset"].erase("version");
+    EXPECT_THAT(refusal(builder, ErrorKind::unsupported), HasSubstr("glTF version 1"));
+    builder.document["asset"]["version"] = "1.1";
+    EXPECT_THAT(refusal(builder, ErrorKind::unsupported), HasSubstr("glTF version 1"));
+}
+
 TEST(GltfMessages, TakesFilesOfNearlyTheNameWithAWarning)
 {
     GlbBuilder builder = triangleGlb();
