@@ -14,6 +14,7 @@
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
+#include <cmath>
 #include <optional>
 
 namespace sward::embedded {
@@ -61,8 +62,9 @@ public:
         glm::vec2 extent(size);
         reader.read(sizeKey, extent, smallest, longest);
         size = glm::dvec2(extent);
-        glm::vec2 numbers(cells);
+        glm::dvec2 numbers(cells);
         reader.read("cells", numbers, 1, maxCells);
+        requireWhole("cells", numbers);
         cells = glm::uvec2(numbers);
         requireCells("cells", cells.x, cells.y, heightPointLimit);
     }
@@ -73,6 +75,13 @@ public:
         if ((across + 1) * (along + 1) > limit)
             fail(ErrorKind::input, "{}: {} x {} cells are more than {}", reader.placeOf(key),
                  across, along, limit);
+    }
+
+    void requireWhole(const char* key, const glm::dvec2& numbers) const
+    {
+        for (const double number : {numbers.x, numbers.y})
+            if (number != std::floor(number))
+                fail(ErrorKind::input, "{}: {} is not a whole number", reader.placeOf(key), number);
     }
 
     // An optional pair of numbers.
@@ -198,6 +207,7 @@ GroundMesh heightmap(Recipe& recipe, const std::string& place, const std::filesy
     HeightmapSettings s;
     recipe.reader.read("file", file);
     recipe.pair("size", size, 2.0, heightmapSideLimit);
+    recipe.requireWhole("size", size.value_or(glm::dvec2(0.0)));
     recipe.pair("extent", s.extent, smallest, longest);
     recipe.pair("height", s.height, -longest, longest);
     recipe.reader.read("hole_mask", mask);

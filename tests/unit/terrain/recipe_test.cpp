@@ -52,6 +52,14 @@ TEST(Recipe, AppliesItsParameters)
     EXPECT_NEAR(static_cast<double>(mesh.bounds().high.y), 2.0, 1e-6);
 }
 
+TEST(Recipe, PairsOfCountsAreWhole)
+{
+    EXPECT_THAT(messageOf(R"({"kind": "hills", "cells": [4.9, 4]})"),
+                testing::HasSubstr("cells: 4.9 is not a whole number"));
+    EXPECT_THAT(messageOf(R"({"kind": "heightmap", "file": "a.r16", "size": [3, 4.5]})"),
+                testing::HasSubstr("size: 4.5 is not a whole number"));
+}
+
 TEST(Recipe, ReadsAMeshFromItsFolderInItsUnits)
 {
     const ScratchFolder folder;
