@@ -95,8 +95,8 @@ Soup importMesh(const std::filesystem::path& path, const MaskInputs& read, doubl
 
     PolygonSoup polygons(place);
     const std::string kind = fileKind(path);
-    const MeshForm form = kind == ".ply"   ? readPly(file, place, polygons)
-                          : kind == ".off" ? readOff(file, place, polygons)
+    const MeshForm form = kind == ".ply"   ? readPly(file, place, polygons, diagnostics)
+                          : kind == ".off" ? readOff(file, place, polygons, diagnostics)
                                            : readStl(file, place, polygons, diagnostics);
     polygons.finishFaces(diagnostics);
     if (form.isSingle)

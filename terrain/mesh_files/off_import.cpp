@@ -4,6 +4,8 @@
 #include "terrain/mesh_files/text_cursor.h"
 
 #include <algorithm>
+#include <optional>
+#include <utility>
 #include <vector>
 
 namespace sward::terrain {
@@ -47,6 +49,64 @@ bool isKeyword(std::string_view word)
     return word.size() >= 3 && word.substr(word.size() - 3) == "OFF";
 }
 
+// The next word, behind comments.
+std::string_view wordBehindComments(TextCursor& words)
+{
+    std::string_view word = words.word();
+    while (word.starts_with('#')) {
+        words.line();
+        word = words.word();
+    }
+    return word;
+}
+
+// A text whose elements share lines, with a line for each; none if it has lines enough and its
+// counts are on one, or if the words of `body`, which follows the keyword, are not exactly its
+// elements of positions and normals.
+std::optional<std::string> withLines(std::string_view keyword, std::string_view body)
+{
+    if (keyword.find('C') != std::string_view::npos || keyword.starts_with("ST"))
+        return std::nullopt;
+    const std::size_t numbers = keyword.find('N') != std::string_view::npos ? 6 : 3;
+    TextCursor words(body);
+    std::size_t counts[3];
+    for (std::size_t& count : counts) {
+        const auto number = parseCount(wordBehindComments(words));
+        if (!number || *number > body.size())
+            return std::nullopt;
+        count = *number;
+    }
+    const auto [vertices, faces, edges] = counts;
+    const std::size_t begin = words.offset();
+    if (filledLines(body.substr(0, begin), '#') == 1 &&
+        filledLines(body.substr(begin), '#') >= vertices + faces)
+        return std::nullopt;
+    std::string text = fmt::format("{}\n{} {} {}\n", keyword, vertices, faces, edges);
+    const auto take = [&](std::size_t count) {
+        for (std::size_t i = 0; i < count; ++i) {
+            const std::string_view word = wordBehindComments(words);
+            if (word.empty())
+                return false;
+            text.append(word).append(1, ' ');
+        }
+        text.push_back('\n');
+        return true;
+    };
+    for (std::size_t i = 0; i < vertices; ++i)
+        if (!take(numbers))
+            return std::nullopt;
+    for (std::size_t i = 0; i < faces; ++i) {
+        const std::string_view word = wordBehindComments(words);
+        const auto corners = parseCount(word);
+        if (!corners || *corners > body.size())
+            return std::nullopt;
+        text.append(word).append(1, ' ');
+        if (!take(*corners))
+            return std::nullopt;
+    }
+    return wordBehindComments(words).empty() ? std::optional(std::move(text)) : std::nullopt;
+}
+
 constexpr float noAlpha = -1.0f; // of a colour of three numbers
 
 // What a vertex has by the keyword of its file: [ST][C][N]OFF.
@@ -73,20 +133,25 @@ public:
     {
     }
 
-    MeshForm run()
+    MeshForm run(Diagnostics& diagnostics)
     {
-        TextCursor header(lines_.next("its header"));
+        const std::string_view first = lines_.next("its header");
+        TextCursor header(first);
         const std::string keyword(header.word());
         if (!isKeyword(keyword))
             fail(ErrorKind::input, "{}: begins with \"{}\", not with OFF", place_,
                  keyword.substr(0, 16));
         if (keyword.find_first_of("4n") != std::string::npos)
             fail(ErrorKind::unsupported, "{}: {} has more than three dimensions", place_, keyword);
+        const std::size_t behind =
+            static_cast<std::size_t>(first.data() - file_.data()) + header.offset();
         std::string_view counts = header.word();
         if (counts == "BINARY") {
             const std::string text = offText(keyword, lines_.rest(), place_);
-            return OffReader(text, place_, soup_).run();
+            return OffReader(text, place_, soup_).run(diagnostics);
         }
+        if (const auto text = withLines(keyword, file_.substr(behind)))
+            return OffReader(*text, place_, soup_).run(diagnostics);
 
         // The counts follow the keyword, on its line or on the next.
         TextCursor countLine(counts.empty() ? lines_.next("its counts") : std::string_view());
@@ -95,8 +160,8 @@ public:
         const std::string_view faceCount = countLine.atEnd() ? header.word() : countLine.word();
         const auto vertices = parseCount(counts);
         const auto faces = parseCount(faceCount);
-        // A vertex or face takes at least six bytes, line end included.
-        if (!vertices || !faces || *vertices > file_.size() / 6 || *faces > file_.size() / 6)
+        // A vertex takes at least six bytes, a face without corners two, line end included.
+        if (!vertices || !faces || *vertices > file_.size() / 6 || *faces > file_.size() / 2)
             fail(ErrorKind::input, "{}: says {} vertices and {} faces, which {} bytes cannot hold",
                  place_, counts, faceCount, file_.size());
         for (std::size_t i = 0; i < *vertices; ++i)
@@ -104,6 +169,9 @@ public:
         finishColors();
         for (std::size_t i = 0; i < *faces; ++i)
             readFace(i, *vertices);
+        if (const std::size_t over = filledLines(lines_.rest(), '#'); over > 0)
+            diagnostics.warn("{}: {} lines are left over behind its {} faces, and not read", place_,
+                             over, *faces);
         return {.isText = true, .isSingle = false};
     }
 
@@ -242,9 +310,10 @@ private:
 
 } // namespace
 
-MeshForm readOff(std::string_view file, const std::string& place, PolygonSoup& soup)
+MeshForm readOff(std::string_view file, const std::string& place, PolygonSoup& soup,
+                 Diagnostics& diagnostics)
 {
-    return OffReader(file, place, soup).run();
+    return OffReader(file, place, soup).run(diagnostics);
 }
 
 } // namespace sward::terrain

@@ -79,7 +79,7 @@ public:
     {
     }
 
-    MeshForm run()
+    MeshForm run(Diagnostics& diagnostics)
     {
         requireBytes();
         for (const PlyElement& element : header_.elements)
@@ -88,6 +88,7 @@ public:
         for (const PlyElement& element : header_.elements)
             walk(element);
         addFaces();
+        warnOfRest(diagnostics);
         return {.isText = isText_, .isSingle = isSingle_};
     }
 
@@ -114,6 +115,18 @@ private:
         if (isText_)
             return 2; // a digit and a space
         return property.length ? property.length->size : property.type.size;
+    }
+
+    // Numbers left over tell of a header that is wrong.
+    void warnOfRest(Diagnostics& diagnostics) const
+    {
+        const std::string_view over = rest_.substr(rest_.size() - left());
+        const std::size_t lines = filledLines(over);
+        if (lines > 0)
+            diagnostics.warn("{}: {} {} left over behind the elements that its header counts, and "
+                             "not read",
+                             place_, isText_ ? lines : over.size(),
+                             isText_ ? "lines are" : "bytes are");
     }
 
     // Bytes that are left after the header.
@@ -368,9 +381,10 @@ private:
 
 } // namespace
 
-MeshForm readPly(std::string_view file, const std::string& place, PolygonSoup& soup)
+MeshForm readPly(std::string_view file, const std::string& place, PolygonSoup& soup,
+                 Diagnostics& diagnostics)
 {
-    return PlyReader(file, place, soup).run();
+    return PlyReader(file, place, soup).run(diagnostics);
 }
 
 } // namespace sward::terrain

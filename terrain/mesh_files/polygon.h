@@ -18,7 +18,7 @@ inline constexpr std::size_t earLimit = 4096;
 /// Divides a polygon into triangles. A fan around corner 0, if no triangle of it is turned over;
 /// else ears, clipped in the plane of the polygon's Newell normal, so that nothing lies outside. A
 /// hole may be reached by an edge that is passed twice. `crosses` is set if the edges cross, so
-/// that the polygon has no inside.
+/// that the polygon has no inside, and for a polygon above earLimit that is no fan.
 std::vector<PolygonTriangle> triangulate(std::span<const glm::dvec3> corners, bool& crosses);
 
 } // namespace sward::terrain

@@ -32,7 +32,10 @@ void PolygonSoup::addFace(std::span<const std::uint32_t> corners, std::span<cons
         places_.push_back(soup_.positions[corner]);
     bool crosses = false;
     parts_ = triangulate(places_, crosses);
-    if (crosses && crossedFaces_++ == 0)
+    const bool isLong = crosses && corners.size() > earLimit;
+    if (isLong && longFaces_++ == 0)
+        firstLong_ = face;
+    if (crosses && !isLong && crossedFaces_++ == 0)
         firstCrossed_ = face;
     for (const PolygonTriangle& part : parts_) {
         soup_.triangles.emplace_back(corners[part[0]], corners[part[1]], corners[part[2]]);
@@ -58,6 +61,10 @@ void PolygonSoup::finishFaces(Diagnostics& diagnostics) const
         diagnostics.warn("{}: the edges of {} polygons cross, of face {} first; where they bear "
                          "grass is undefined",
                          place_, crossedFaces_, firstCrossed_);
+    if (longFaces_ > 0)
+        diagnostics.warn("{}: {} polygons that are no fans have more than {} corners, face {} "
+                         "first; they are divided as fans, and where they bear grass is undefined",
+                         place_, longFaces_, earLimit, firstLong_);
     if (shortFaces_ > 0)
         diagnostics.warn("{}: {} of {} faces have fewer than three corners, face {} first (from "
                          "0); they are left out",

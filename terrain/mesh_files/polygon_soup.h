@@ -69,6 +69,8 @@ private:
     std::vector<PolygonTriangle> parts_; // of a face
     std::size_t crossedFaces_ = 0;
     std::size_t firstCrossed_ = 0;
+    std::size_t longFaces_ = 0; // with more corners than ears are clipped of
+    std::size_t firstLong_ = 0;
     std::size_t shortFaces_ = 0;
     std::size_t firstShort_ = 0;
 };

@@ -85,7 +85,7 @@ public:
         bool hasEnded = false;
         bool isName = true; // any words may follow solid and endsolid
         for (std::string_view word = words_.word(); !word.empty(); word = words_.word()) {
-            if (isWord(word, "facet") && isFacet()) {
+            if (isWord(word, "facet") && isFacet(isName)) {
                 readFacet();
                 hasEnded = isName = false;
             } else if (isWord(word, "endsolid")) {
@@ -112,13 +112,13 @@ private:
              fmt::format(format, std::forward<Args>(args)...));
     }
 
-    // Whether the words ahead belong to a facet and not to a name.
-    bool isFacet() const
+    // Whether the words ahead belong to a facet and not to a name, where one may stand.
+    bool isFacet(bool isName) const
     {
         TextCursor ahead = words_;
         const std::string_view word = ahead.word();
         return isWord(word, "normal") || isWord(word, "outer") || isWord(word, "vertex") ||
-               word.empty();
+               (word.empty() && !isName);
     }
 
     void readFacet()
@@ -205,6 +205,9 @@ MeshForm readStl(std::string_view file, const std::string& place, PolygonSoup& s
         fail(ErrorKind::input, "{}: truncated: {} triangles need {} bytes, the file has {}", place,
              triangles, size, file.size());
     readBinary(file, triangles, place, soup);
+    if (file.size() > size)
+        diagnostics.warn("{}: {} bytes are left over behind its {} triangles, and not read", place,
+                         file.size() - size, triangles);
     return {.isText = false, .isSingle = true};
 }
 

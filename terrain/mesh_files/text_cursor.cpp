@@ -50,6 +50,18 @@ std::size_t lineAt(std::string_view text, std::size_t offset)
     return cursor.lineNumber();
 }
 
+std::size_t filledLines(std::string_view text, char comment)
+{
+    std::size_t count = 0;
+    for (TextCursor cursor(text); !cursor.atEnd();) {
+        std::string_view line = cursor.line();
+        if (comment != '\0')
+            line = line.substr(0, line.find(comment));
+        count += std::all_of(line.begin(), line.end(), isSpace) ? 0U : 1U;
+    }
+    return count;
+}
+
 std::optional<double> parseNumber(std::string_view word)
 {
     if (!word.empty() && word.front() == '+')

@@ -37,6 +37,9 @@ private:
 /// The number of the line of byte `offset`, from 1.
 std::size_t lineAt(std::string_view text, std::size_t offset);
 
+/// How many lines hold more than white space, of which `comment` (0: none) begins more.
+std::size_t filledLines(std::string_view text, char comment = '\0');
+
 /// A whole word as a finite number.
 std::optional<double> parseNumber(std::string_view word);
 

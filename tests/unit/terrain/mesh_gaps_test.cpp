@@ -8,6 +8,8 @@
 
 #include <algorithm>
 #include <cctype>
+#include <cmath>
+#include <cstdint>
 #include <cstring>
 
 namespace sward::terrain {
@@ -170,6 +172,89 @@ TEST(MeshGaps, WarnsOfFacesOfFewerThanThreeCornersInEveryFormat)
         EXPECT_EQ(loadContent(name, content, {}, &diagnostics).triangles.size(), 1U) << name;
         EXPECT_THAT(diagnostics.warnings(), ElementsAre(HasSubstr("2 of 3 faces"))) << name;
     }
+}
+
+TEST(MeshGaps, TellsWhatIsLeftOverBehindTheElements)
+{
+    const std::string header = "1.0\nelement vertex 3\nproperty float x\nproperty float y\n"
+                               "property float z\nelement face 1\nproperty list uchar int "
+                               "vertex_indices\nend_header\n";
+    const std::string ply = "ply\nformat ascii " + header + "0 0 0\n0 0 1\n1 0 0\n3 0 1 2\n";
+    const std::string off = "OFF\n3 1 0\n0 0 0\n0 0 1\n1 0 0\n3 0 1 2\n";
+    std::string binary = "ply\nformat binary_little_endian " + header;
+    const float corners[9] = {0, 0, 0, 0, 0, 1, 1, 0, 0};
+    const std::int32_t face[3] = {0, 1, 2};
+    binary.append(reinterpret_cast<const char*>(corners), sizeof corners).append(1, '\3');
+    binary.append(reinterpret_cast<const char*>(face), sizeof face);
+    std::string stl(80, ' ');
+    const std::uint32_t triangles = 1;
+    stl.append(reinterpret_cast<const char*>(&triangles), 4).append(12, '\0');
+    stl.append(reinterpret_cast<const char*>(corners), sizeof corners).append(2, '\0');
+    const auto warningsOf = [](const char* name, const std::string& content) {
+        Diagnostics diagnostics;
+        EXPECT_EQ(loadContent(name, content, {}, &diagnostics).triangles.size(), 1U) << name;
+        return diagnostics.warnings();
+    };
+    EXPECT_THAT(warningsOf("a.ply", ply + "\n \n"), IsEmpty());
+    EXPECT_THAT(warningsOf("a.ply", ply + "3 0 1 2\n\n3 0 2 1\n"),
+                ElementsAre(HasSubstr("2 lines are left over")));
+    EXPECT_THAT(warningsOf("a.ply", binary), IsEmpty());
+    EXPECT_THAT(warningsOf("a.ply", binary + std::string(13, '\1')),
+                ElementsAre(HasSubstr("13 bytes are left over")));
+    EXPECT_THAT(warningsOf("a.off", off + "# no more\n"), IsEmpty());
+    EXPECT_THAT(warningsOf("a.off", off + "3 0 2 1\n"),
+                ElementsAre(HasSubstr("1 lines are left over behind its 1 faces")));
+    EXPECT_THAT(warningsOf("a.stl", stl), IsEmpty());
+    EXPECT_THAT(warningsOf("a.stl", stl + std::string(50, '\0')),
+                ElementsAre(HasSubstr("50 bytes are left over behind its 1 triangles")));
+}
+
+TEST(MeshGaps, ElementsOfAnOffMayShareLines)
+{
+    for (const char* text :
+         {"OFF 4 2 0 0 0 0 0 0 1 1 0 0 1 0 1 3 0 1 2 3 2 1 3",
+          "OFF # a square\n4 2 0\n0 0 0 0 0 1\n1 0 0 1 0 1 # corners\n3 0 1 2 3 2 1 3\n",
+          "OFF\n4\n2 0\n0 0 0\n0 0 1\n1 0 0\n1 0 1\n3 0 1 2\n3 2 1 3\n"}) {
+        Diagnostics diagnostics;
+        const GroundMesh mesh = loadContent("a.off", text, {}, &diagnostics);
+        ASSERT_EQ(mesh.triangles.size(), 2U) << text;
+        EXPECT_DOUBLE_EQ(mesh.area(0) + mesh.area(1), 1.0) << text;
+        EXPECT_THAT(diagnostics.warnings(), IsEmpty()) << text;
+    }
+    EXPECT_THAT(messageOf("a.off", "OFF 4 2 0 0 0 0 0 0 1 1 0 0 1 0 1 3 0 1 2 3 2 1"),
+                HasSubstr("truncated"));
+    // Faces without corners take two bytes each.
+    std::string many = "OFF\n3 40 0\n0 0 0\n0 0 1\n1 0 0\n3 0 1 2\n";
+    for (int i = 0; i < 39; ++i)
+        many += "0\n";
+    EXPECT_EQ(loadContent("a.off", many).triangles.size(), 1U);
+}
+
+TEST(MeshGaps, TellsOfPolygonsOfTooManyCorners)
+{
+    constexpr int corners = 4098;
+    std::string text = fmt::format("OFF\n{} 1 0\n", corners);
+    for (int i = 0; i < corners; ++i) {
+        const double angle = -6.283185307179586 * i / corners;
+        const double radius = i % 2 == 0 ? 1.0 : 2.0;
+        text += fmt::format("{} 0 {}\n", radius * std::cos(angle), radius * std::sin(angle));
+    }
+    text += fmt::format("{}", corners);
+    for (int i = 0; i < corners; ++i)
+        text += fmt::format(" {}", i);
+    Diagnostics diagnostics;
+    loadContent("a.off", text, {}, &diagnostics);
+    EXPECT_THAT(diagnostics.warnings(), Contains(HasSubstr("have more than 4096 corners, face 0")));
+}
+
+TEST(MeshGaps, AnStlMayBeCalledFacet)
+{
+    const std::string text = "solid facet of stone endsolid x\nfacet normal 0 1 0 outer loop\n"
+                             "vertex 0 0 0 vertex 1 0 0 vertex 1 0 -1 endloop endfacet\n"
+                             "endsolid facet";
+    Diagnostics diagnostics;
+    EXPECT_EQ(loadContent("a.stl", text, {}, &diagnostics).triangles.size(), 1U);
+    EXPECT_THAT(diagnostics.warnings(), IsEmpty());
 }
 
 TEST(MeshGaps, AVertexOfTwoCoordinatesLacksItsThird)
