@@ -7,12 +7,14 @@
 #include "terrain/gltf/container.h"
 #include "terrain/gltf/draco.h"
 #include "terrain/gltf/extensions.h"
+#include "terrain/gltf/layout.h"
 #include "terrain/gltf/meshopt.h"
 
 #include <nlohmann/json.hpp>
 
 #include <cmath>
 #include <cstdint>
+#include <cstring>
 
 namespace sward::terrain {
 namespace {
@@ -63,6 +65,32 @@ void refuseVersion1(const nlohmann::json& document, const std::string& place)
              place);
 }
 
+// glTF 2.0, 3.6.2.3: sparse indices rise strictly. The last value of an element counts, as it is
+// written last.
+void warnOfSparseOrder(const GltfModel& model, const std::string& place, Diagnostics& diagnostics)
+{
+    for (std::size_t i = 0; i < model.structure.accessors.size(); ++i) {
+        const auto& sparse = model.structure.accessors[i].sparse;
+        if (!sparse)
+            continue;
+        const std::uint64_t size = gltfComponentSize(sparse->indexType);
+        const auto bytes = model.view(static_cast<std::size_t>(sparse->indexView))
+                               .subspan(sparse->indexOffset, sparse->count * size);
+        std::int64_t before = -1;
+        for (std::uint64_t entry = 0; entry < sparse->count; ++entry) {
+            std::uint32_t index = 0; // little-endian, as the machine
+            std::memcpy(&index, bytes.data() + entry * size, size);
+            if (std::int64_t(index) <= before) {
+                diagnostics.warn("{}: accessor {}: its sparse indices do not rise, entry {} names "
+                                 "element {} after {}; the last value of an element counts",
+                                 place, i, entry, index, before);
+                break;
+            }
+            before = index;
+        }
+    }
+}
+
 } // namespace
 
 std::span<const std::byte> GltfModel::view(std::size_t index) const
@@ -95,6 +123,7 @@ GltfModel readGltfModel(const std::filesystem::path& path, Diagnostics& diagnost
     decompressMeshopt(document, model.buffers, place);
     decompressDraco(document, model.buffers, place);
     model.structure = checkGltf(document, model.buffers, place, diagnostics);
+    warnOfSparseOrder(model, place, diagnostics);
     model.size = parts.json.size();
     for (std::size_t i = 0; i < model.buffers.count(); ++i)
         model.size += model.buffers.bytes(i).size();
