@@ -203,9 +203,12 @@ private:
             if (std::isnan(value))
                 fail(ErrorKind::input, "{}: {} {}: a corner is no number", place_, element.name,
                      index);
-            if (!(value >= 0.0) || value >= static_cast<double>(vertices_) ||
-                value != std::floor(value))
-                fail(ErrorKind::input, "{}: {} {}: names vertex {}, but there are {}", place_,
+            if (value != std::floor(value))
+                fail(ErrorKind::input,
+                     "{}: {} {}: the number of its vertex, about {:.6g}, has a fraction", place_,
+                     element.name, index, value);
+            if (!(value >= 0.0) || value >= static_cast<double>(vertices_))
+                fail(ErrorKind::input, "{}: {} {}: names vertex {:.10g}, but there are {}", place_,
                      element.name, index, value, vertices_);
             corners_.push_back(static_cast<std::uint32_t>(value));
         }

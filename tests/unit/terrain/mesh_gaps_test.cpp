@@ -142,6 +142,18 @@ TEST(MeshGaps, APlySaysWhatItLacks)
                 HasSubstr("line 7: element vertex has a second property x"));
 }
 
+TEST(MeshGaps, APlyNamesVerticesByWholeNumbers)
+{
+    const std::string head =
+        "ply\nformat ascii 1.0\nelement vertex 3\nproperty float x\nproperty float y\n"
+        "property float z\nelement face 1\nproperty list uchar double vertex_indices\n"
+        "end_header\n0 0 0\n4 0 0\n0 4 0\n3 0 1 ";
+    EXPECT_THAT(messageOf("a.ply", head + "2.000000000000004\n"),
+                HasSubstr("about 2, has a fraction"));
+    EXPECT_THAT(messageOf("a.ply", head + "4294967295\n"),
+                HasSubstr("names vertex 4294967295, but there are 3"));
+}
+
 TEST(MeshGaps, FacesKeepTheirGroundWithoutNormalsThatTheyName)
 {
     const std::string vertices = "v 0 0 0\nv 0 0 1\nv 1 0 0\nv 1 0 1\n";
