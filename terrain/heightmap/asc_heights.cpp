@@ -7,6 +7,8 @@
 #include <charconv>
 #include <cmath>
 #include <limits>
+#include <string>
+#include <vector>
 
 namespace sward::terrain {
 namespace {
@@ -57,10 +59,26 @@ struct AscHeader {
     glm::dvec2 cell{0.0};   // along x and y
     glm::dvec2 corner{0.0}; // lower left, x and y
     double noData = -9999.0;
+    std::vector<std::string> keys; // in lower case
+
+    bool has(std::string_view key) const
+    {
+        return std::find(keys.begin(), keys.end(), key) != keys.end();
+    }
+
+    // A corner of 0 0 is the origin of a drawing or a survey of its own.
+    bool hasPlace() const
+    {
+        return (has("xllcorner") || has("xllcenter")) && (has("yllcorner") || has("yllcenter")) &&
+               corner != glm::dvec2(0.0);
+    }
 };
 
 // Cells of less than this are degrees of a geographic grid, whatever the rest says [m].
 constexpr double minMetres = 0.05;
+
+// Grids of the globe have no larger cells [degrees].
+constexpr double maxDegrees = 1.0;
 
 // No ground is this many times as high as it is long.
 constexpr double steepest = 4.0;
@@ -74,8 +92,8 @@ bool isArcMinutes(double cell)
            std::fabs(hundredths - std::round(hundredths)) > 1e-3;
 }
 
-// Whether the cells are degrees of longitude and latitude: the grid lies on the globe, and in
-// metres it would be steeper than ground is.
+// Whether the cells are degrees of longitude and latitude: the header places the grid on the globe,
+// and in metres it would be steeper than ground is.
 bool isInDegrees(const AscHeader& header, const HeightSamples& samples)
 {
     const double shortest = std::min(header.cell.x, header.cell.y);
@@ -83,6 +101,8 @@ bool isInDegrees(const AscHeader& header, const HeightSamples& samples)
         return false;
     if (shortest < minMetres)
         return true;
+    if (!header.hasPlace() || std::max(header.cell.x, header.cell.y) > maxDegrees)
+        return false;
     const glm::dvec2 extent = header.cell * glm::dvec2(samples.size);
     const glm::dvec2 far = header.corner + extent;
     constexpr double slack = 1.0;
@@ -97,7 +117,8 @@ bool isInDegrees(const AscHeader& header, const HeightSamples& samples)
             high = std::max(high, value);
         }
     const double relief = low <= high ? static_cast<double>(high) - static_cast<double>(low) : 0.0;
-    return relief > steepest * std::max(extent.x, extent.y) || isArcMinutes(header.cell.x);
+    return relief > steepest * std::max(extent.x, extent.y) ||
+           isArcMinutes(header.cell.x) || isArcMinutes(header.cell.y);
 }
 
 // The grid is not square in metres: names its true size.
@@ -144,7 +165,7 @@ void warnOfLines(std::size_t inLine, const HeightSamples& samples, const std::st
 }
 
 // Reads keys and numbers until a line begins with a number.
-AscHeader readAscHeader(AscWords& words, const std::string& place)
+AscHeader readAscHeader(AscWords& words, std::string_view text, const std::string& place)
 {
     AscHeader header;
     while (true) {
@@ -154,6 +175,11 @@ AscHeader readAscHeader(AscWords& words, const std::string& place)
             words.goTo(begin);
             return header;
         }
+        const std::size_t end = words.offset();
+        if (header.has(key))
+            fail(ErrorKind::input, "{}: line {}: {} is given twice", place,
+                 1 + std::count(text.begin(), text.begin() + std::ptrdiff_t(end), '\n'),
+                 key.substr(0, 32));
         const std::string_view word = words.next();
         const std::optional<double> value = ascNumber(word);
         if (!value)
@@ -178,6 +204,7 @@ AscHeader readAscHeader(AscWords& words, const std::string& place)
         else
             fail(ErrorKind::input, "{}: \"{}\" is no key of an ESRI ASCII grid", place,
                  key.substr(0, 32));
+        header.keys.push_back(key);
     }
 }
 
@@ -188,7 +215,10 @@ HeightSamples readAscHeights(std::string_view file, const std::string& place,
 {
     const std::string_view text = withoutMark(file);
     AscWords words(text);
-    const AscHeader header = readAscHeader(words, place);
+    const AscHeader header = readAscHeader(words, text, place);
+    for (const char* const key : {"ncols", "nrows"})
+        if (!header.has(key))
+            fail(ErrorKind::input, "{}: {} is missing", place, key);
     for (const double count : {header.columns, header.rows})
         if (!(count >= 0.0 && count <= 1e9 && count == std::floor(count)))
             fail(ErrorKind::input, "{}: ncols {} and nrows {} are not counts", place,
@@ -233,6 +263,10 @@ HeightSamples readAscHeights(std::string_view file, const std::string& place,
         warnOfDegrees(header, samples.size, place, diagnostics);
     else if (header.cell.x > 0.0 && header.cell.y > 0.0)
         samples.step = header.cell;
+    else if (!header.has("cellsize") && header.has("dx") != header.has("dy"))
+        diagnostics.warn("{}: {} is missing, so that the size of its cells is not used; give "
+                         "--extent",
+                         place, header.has("dx") ? "dy" : "dx");
     else if (header.cell != glm::dvec2(0.0))
         diagnostics.warn("{}: its cells of {:.6g} x {:.6g} have no size and are not used; give "
                          "--extent",

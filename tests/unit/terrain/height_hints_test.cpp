@@ -53,7 +53,18 @@ TEST(HeightHints, CellsOfAGridNeedNotBeSquare)
     EXPECT_EQ(extentOf(loadContent("a.asc", grid("cellsize 3", 0.0, 0.1))), glm::dvec2(12.0, 9.0));
     Diagnostics diagnostics;
     loadContent("a.asc", grid("dx 10", 0.0, 0.1), {}, &diagnostics);
+    EXPECT_THAT(diagnostics.warnings(), Contains(HasSubstr("dy is missing")));
+    loadContent("a.asc", grid("dx 10\ndy 0", 0.0, 0.1), {}, &diagnostics);
     EXPECT_THAT(diagnostics.warnings(), Contains(HasSubstr("have no size")));
+}
+
+TEST(HeightHints, EachKeyOfAGridIsGivenOnce)
+{
+    EXPECT_THAT(messageOf("a.asc", grid("cellsize 2\nNCOLS 7", 0.0, 0.1)),
+                HasSubstr("line 4: ncols is given twice"));
+    EXPECT_THAT(messageOf("a.asc", "nrows 2\ncellsize 1\n1 2\n3 4\n"),
+                HasSubstr("ncols is missing"));
+    EXPECT_THAT(messageOf("a.asc", "ncols 2\n1 2\n3 4\n"), HasSubstr("nrows is missing"));
 }
 
 TEST(HeightHints, DegreesAreToldFromMetresByWhatIsPlausible)
@@ -68,7 +79,12 @@ TEST(HeightHints, DegreesAreToldFromMetresByWhatIsPlausible)
                  {grid(alps + "cellsize 0.25", 400.0, 10.0), true},
                  {grid(alps + "dx 1\ndy 0.5", 400.0, 10.0), true},
                  {grid(alps + "cellsize 1", 0.0, 0.1), false},
+                 {grid(alps + "dx 0.25\ndy 0.0833333", 0.0, 0.001), true},
                  {grid("cellsize 0.25", 0.0, 0.01), false},
+                 // Steep ground, and cells of thirds, around an origin of its own.
+                 {grid("xllcorner 0\nyllcorner 0\ncellsize 0.3333333", 0.0, 0.1), false},
+                 {grid("cellsize 0.1666667", 0.0, 0.01), false},
+                 {grid(alps + "cellsize 2", 0.0, 5.0), false},
                  {grid("xllcorner 691000\nyllcorner 5337000\ncellsize 0.5", 400.0, 10.0), false}};
     for (const auto& one : grids) {
         Diagnostics diagnostics;
