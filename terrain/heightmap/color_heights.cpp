@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 #include <string_view>
 #include <vector>
 
@@ -25,6 +26,12 @@ constexpr std::array<Encoding, 2> encodings{
 constexpr double deepestSea = -12'000.0;
 constexpr double highestPeak = 9'500.0;
 
+// Share of the pixels that has to have a height.
+constexpr double leastShare = 0.25;
+
+// Alpha below this is transparent.
+constexpr unsigned char halfOpaque = 128;
+
 // Mean step between neighbours of real ground, as a share of the whole range.
 constexpr double smoothShare = 0.1;
 
@@ -39,15 +46,28 @@ bool looksLike(const PngPixels& pixels, HeightEncoding encoding)
 {
     std::vector<float> heights(std::size_t(pixels.size.x) * pixels.size.y);
     decodeHeights(pixels, encoding, heights);
-    const auto [least, most] = std::minmax_element(heights.begin(), heights.end());
-    const double low = static_cast<double>(*least);
-    const double range = static_cast<double>(*most) - low;
+    if (pixels.hasAlpha())
+        for (std::size_t i = 0; i < heights.size(); ++i)
+            if (pixels.bytes[i * pixels.channels + 3] < halfOpaque)
+                heights[i] = std::numeric_limits<float>::quiet_NaN();
+    double low = std::numeric_limits<double>::max();
+    double high = std::numeric_limits<double>::lowest();
+    std::size_t known = 0;
+    for (const float height : heights)
+        if (!std::isnan(height)) {
+            low = std::min(low, static_cast<double>(height));
+            high = std::max(high, static_cast<double>(height));
+            ++known;
+        }
+    if (static_cast<double>(known) < leastShare * static_cast<double>(heights.size()))
+        return false;
+    const double range = high - low;
     if (low < deepestSea || low + range > highestPeak || !(range > 0.0))
         return false;
     double sum = 0.0;
     std::size_t count = 0;
     for (std::size_t i = 1; i < heights.size(); ++i)
-        if (i % pixels.size.x != 0) {
+        if (i % pixels.size.x != 0 && !std::isnan(heights[i]) && !std::isnan(heights[i - 1])) {
             sum += std::fabs(static_cast<double>(heights[i]) - static_cast<double>(heights[i - 1]));
             ++count;
         }
@@ -75,7 +95,9 @@ void decodeHeights(const PngPixels& pixels, HeightEncoding encoding, std::span<f
 {
     for (std::size_t i = 0; i < heights.size(); ++i) {
         const unsigned char* const color = pixels.bytes.data() + i * pixels.channels;
-        heights[i] = static_cast<float>(heightOf(encoding, color[0], color[1], color[2]));
+        const bool isBlack = color[0] == 0 && color[1] == 0 && color[2] == 0;
+        heights[i] = isBlack ? std::numeric_limits<float>::quiet_NaN()
+                             : static_cast<float>(heightOf(encoding, color[0], color[1], color[2]));
     }
 }
 

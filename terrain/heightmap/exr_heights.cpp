@@ -227,6 +227,21 @@ std::string heightChannel(const Imf::ChannelList& channels)
     return channels.begin().name();
 }
 
+// Makes holes of what is transparent, unless all is.
+void dropTransparent(const std::vector<bool>& isTransparent, HeightSamples& samples,
+                     const std::string& place, Diagnostics& diagnostics)
+{
+    if (isTransparent.empty())
+        return;
+    if (std::find(isTransparent.begin(), isTransparent.end(), false) == isTransparent.end()) {
+        diagnostics.warn("{}: all samples are transparent; their transparency is ignored", place);
+        return;
+    }
+    for (std::size_t i = 0; i < samples.values.size(); ++i)
+        if (isTransparent[i])
+            samples.values[i] = std::numeric_limits<float>::quiet_NaN();
+}
+
 HeightSamples readSamples(MemoryStream& stream, const std::string& place, Diagnostics& diagnostics)
 {
     Imf::InputFile file(stream, 0);
@@ -253,6 +268,7 @@ HeightSamples readSamples(MemoryStream& stream, const std::string& place, Diagno
     const auto rows =
         static_cast<int>(std::clamp<std::size_t>(samplesAtOnce / width, 1, samples.size.y));
     std::vector<float> alphas;
+    std::vector<bool> isTransparent;
     for (int first = window.min.y; first <= window.max.y; first += rows) {
         const int last = std::min(window.max.y, first + rows - 1);
         const std::size_t before = samples.values.size();
@@ -265,10 +281,10 @@ HeightSamples readSamples(MemoryStream& stream, const std::string& place, Diagno
             buffer.insert("A", Imf::Slice::Make(Imf::FLOAT, alphas.data(), part));
         file.setFrameBuffer(buffer);
         file.readPixels(first, last);
-        for (std::size_t i = 0; i < alphas.size(); ++i)
-            if (alphas[i] < 0.5f)
-                samples.values[before + i] = std::numeric_limits<float>::quiet_NaN();
+        for (const float one : alphas)
+            isTransparent.push_back(one < 0.5f);
     }
+    dropTransparent(isTransparent, samples, place, diagnostics);
     return samples;
 }
 

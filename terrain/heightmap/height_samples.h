@@ -19,7 +19,8 @@ struct HeightSamples {
     glm::uvec2 size{0U};
     std::vector<float> values;
     double full = 1.0;     ///< highest value of the format
-    bool isMetric = false; ///< the values are metres already
+    bool isMetric = false;  ///< the values are metres already
+    bool isEncoded = false; ///< they were colours
     glm::dvec2 step{0.0};  ///< [m] from sample to sample along x and z, if the file tells; else 0
 };
 
@@ -55,8 +56,8 @@ HeightSamples readRawHeights(std::span<const std::byte> file, const std::optiona
                              const RawLayout& layout, const std::string& place,
                              Diagnostics& diagnostics);
 
-/// A tile of SRTM (.hgt): big-endian, signed, in metres, a degree along each side. `name` tells its
-/// latitude if it begins as N60E010 does.
+/// A tile of SRTM (.hgt), square or 1801 x 3601: big-endian, signed, in metres, a degree along each
+/// side. `name` tells its latitude if it begins as N60E010 does.
 HeightSamples readHgtHeights(std::span<const std::byte> file, const std::string& place,
                              std::string_view name, Diagnostics& diagnostics);
 
@@ -83,8 +84,8 @@ void hintAtFewHeights(const HeightSamples& samples, const std::string& place,
                       Diagnostics& diagnostics);
 
 /// One channel of an OpenEXR image: Y, else Z, R, height, else the first. Non-finite values, common
-/// no-data values and samples whose channel A is below 0.5 become NaN. Throws Error{unsupported}
-/// for deep images.
+/// no-data values and samples whose channel A is below 0.5 become NaN; A below 0.5 everywhere is
+/// ignored, with a warning. Throws Error{unsupported} for deep images.
 HeightSamples readExrHeights(std::span<const std::byte> file, const std::string& place,
                              Diagnostics& diagnostics);
 

@@ -103,15 +103,36 @@ glm::dvec2 extentOf(const HeightSamples& samples, const HeightmapSettings& setti
     return extent;
 }
 
+// --height is for shares from 0 to 1, with some room for filters that overshoot.
+void warnOfMetres(const HeightSamples& samples, const glm::dvec2& range, const std::string& place,
+                  Diagnostics& diagnostics)
+{
+    constexpr float room = 0.05f;
+    for (const float value : samples.values)
+        if (value < -room || value > 1.0f + room) {
+            diagnostics.warn("{}: --height {}:{} gives the heights of the values 0 and 1, but a "
+                             "value is {:.6g}; without --height the values are metres",
+                             place, range.x, range.y, value);
+            return;
+        }
+}
+
 // Heights [m] of a sample value of 0 and of the full value.
 glm::dvec2 rangeOf(const HeightSamples& samples, const HeightmapSettings& settings,
                    const glm::dvec2& extent, const std::string& place, Diagnostics& diagnostics)
 {
     if (settings.height) {
         const glm::dvec2& range = *settings.height;
+        if (samples.isEncoded)
+            fail(ErrorKind::usage,
+                 "{}: --encoding {} gives heights in metres, so that --height {}:{} cannot be "
+                 "given too",
+                 place, settings.encoding, range.x, range.y);
         if (!(range.x >= -highest && range.x <= range.y && range.y <= highest))
             fail(ErrorKind::usage, "{}: --height {}:{} is not a range inside [{}, {}] m", place,
                  range.x, range.y, -highest, highest);
+        if (samples.isMetric)
+            warnOfMetres(samples, range, place, diagnostics);
         return range;
     }
     if (samples.isMetric)

@@ -46,20 +46,34 @@ double metresOfLongitude(double latitude)
            std::sqrt(1.0 - squash * sine * sine);
 }
 
+namespace {
+
+// A square, or half as many columns as tiles of an arc second have north of 50 degrees.
+glm::uvec2 tileSize(std::size_t bytes, const std::string& place)
+{
+    constexpr glm::uvec2 halved(1801U, 3601U);
+    if (bytes == std::size_t(2) * halved.x * halved.y)
+        return halved;
+    std::uint32_t side = 0;
+    while (std::uint64_t(side + 1) * (side + 1) <= bytes / 2 && side < heightmapSideLimit)
+        ++side;
+    if (std::uint64_t(side) * side * 2 != bytes)
+        fail(ErrorKind::input,
+             "{}: {} bytes are no square of 16-bit samples, nor {} x {}; a tile of SRTM has 1201 "
+             "or 3601 a side",
+             place, bytes, halved.x, halved.y);
+    requireHeightmapSize(side, side, place);
+    return {side, side};
+}
+
+} // namespace
+
 HeightSamples readHgtHeights(std::span<const std::byte> file, const std::string& place,
                              std::string_view name, Diagnostics& diagnostics)
 {
     const std::size_t count = file.size() / 2;
-    std::uint32_t side = 0;
-    while (std::uint64_t(side + 1) * (side + 1) <= count && side < heightmapSideLimit)
-        ++side;
-    if (std::uint64_t(side) * side * 2 != file.size())
-        fail(ErrorKind::input,
-             "{}: {} bytes are no square of 16-bit samples; a tile of SRTM has 1201 or 3601 a side",
-             place, file.size());
-    requireHeightmapSize(side, side, place);
     HeightSamples samples;
-    samples.size = {side, side};
+    samples.size = tileSize(file.size(), place);
     samples.isMetric = true;
     samples.values.reserve(count);
     for (std::size_t i = 0; i < count; ++i) {
@@ -74,7 +88,7 @@ HeightSamples readHgtHeights(std::span<const std::byte> file, const std::string&
     const std::optional<double> latitude = latitudeOf(name);
     const glm::dvec2 extent(latitude ? metresOfLongitude(*latitude) : metresOfLatitude,
                             metresOfLatitude);
-    samples.step = extent / double(side - 1);
+    samples.step = extent / glm::dvec2(samples.size - 1U);
     if (latitude)
         diagnostics.warn("{}: its name tells the latitude {}: a degree is {:.0f} x {:.0f} m there; "
                          "--extent X Z changes it",

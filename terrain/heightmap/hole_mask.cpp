@@ -40,12 +40,7 @@ Mask readPngMask(std::span<const std::byte> file, const std::string& place)
 
 Mask readColorMask(std::span<const std::byte> file, const std::string& place)
 {
-    Diagnostics ignored; // the error says it
-    const auto* const bytes = reinterpret_cast<const unsigned char*>(file.data());
-    const GroundImage image = decodeImage({bytes, file.size()}, place, ignored);
-    if (image.width == 0)
-        fail(ErrorKind::input,
-             "{}: the hole mask is not an image that can be decoded (PNG, JPEG, TGA, BMP)", place);
+    const GroundImage image = decodeNeededImage(file, "hole mask " + place);
     Mask mask;
     mask.size = {image.width, image.height};
     for (std::size_t i = 0; i < image.rgba.size(); i += 4) {
@@ -56,26 +51,27 @@ Mask readColorMask(std::span<const std::byte> file, const std::string& place)
     return mask;
 }
 
-// Makes what is transparent dark.
+constexpr std::uint16_t halfOpaque = 32768;
+
+// Makes what is less than half opaque black.
 void applyAlpha(Mask& mask, const std::string& place, Diagnostics& diagnostics)
 {
     if (mask.alphas.empty())
         return;
     const auto [least, most] = std::minmax_element(mask.alphas.begin(), mask.alphas.end());
-    if (*most == 0) {
+    if (*most < halfOpaque) {
         diagnostics.warn("{}: all of the hole mask is transparent; its transparency is ignored",
                          place);
         return;
     }
     const bool isBlack = std::all_of(mask.brightness.begin(), mask.brightness.end(),
                                      [](std::uint16_t value) { return value == 0; });
-    if (isBlack && *least < *most) {
-        mask.brightness = mask.alphas;
-        return;
-    }
+    const bool isByAlpha = isBlack && *least < *most;
     for (std::size_t i = 0; i < mask.brightness.size(); ++i)
-        mask.brightness[i] = static_cast<std::uint16_t>(std::uint32_t(mask.brightness[i]) *
-                                                        mask.alphas[i] / 65535U);
+        if (mask.alphas[i] < halfOpaque)
+            mask.brightness[i] = 0;
+        else if (isByAlpha)
+            mask.brightness[i] = 65535;
 }
 
 } // namespace

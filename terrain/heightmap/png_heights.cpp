@@ -4,6 +4,7 @@
 #include "terrain/image/png_pixels.h"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 
 namespace sward::terrain {
@@ -11,7 +12,7 @@ namespace {
 
 constexpr std::uint16_t halfOpaque = 32768;
 
-// Makes holes of what is transparent.
+// Makes holes of what is transparent. Samples that are holes already are not counted again.
 void dropTransparent(const PngPixels& pixels, HeightSamples& samples, const std::string& place,
                      Diagnostics& diagnostics)
 {
@@ -27,11 +28,15 @@ void dropTransparent(const PngPixels& pixels, HeightSamples& samples, const std:
         diagnostics.warn("{}: all samples are transparent; their transparency is ignored", place);
         return;
     }
+    holes = 0;
     for (std::size_t i = 0; i < samples.values.size(); ++i)
-        if (pixels.at(i, alpha) < halfOpaque)
+        if (pixels.at(i, alpha) < halfOpaque && !std::isnan(samples.values[i])) {
             samples.values[i] = std::numeric_limits<float>::quiet_NaN();
-    diagnostics.warn("{}: {} of {} samples are transparent and become holes", place, holes,
-                     samples.values.size());
+            ++holes;
+        }
+    if (holes > 0)
+        diagnostics.warn("{}: {} of {} samples are transparent and become holes", place, holes,
+                         samples.values.size());
 }
 
 // The brightest channel; says whether channels differ.
@@ -73,6 +78,8 @@ HeightSamples readPngHeights(std::span<const std::byte> file, const std::string&
                  place, pixels.depth, pixels.channels < 3 ? "no colours" : "colours");
         decodeHeights(pixels, encoding, samples.values);
         samples.isMetric = true;
+        samples.isEncoded = true;
+        dropNoData(samples, place, diagnostics);
     } else {
         const bool hasColors = takeBrightest(pixels, samples);
         if (!pixels.isWide)

@@ -150,4 +150,10 @@ GroundImage decodeImage(std::span<const unsigned char> file, const std::string& 
     return decodeImage(std::as_bytes(file), place, budget, diagnostics);
 }
 
+GroundImage decodeNeededImage(std::span<const std::byte> file, const std::string& place)
+{
+    ImageBudget budget;
+    return decode(file, place, budget);
+}
+
 } // namespace sward::terrain

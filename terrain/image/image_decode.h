@@ -27,6 +27,9 @@ GroundImage decodeImage(std::span<const std::byte> file, const std::string& plac
 GroundImage decodeImage(std::span<const unsigned char> file, const std::string& place,
                         Diagnostics& diagnostics);
 
+/// The same for an image that is needed: throws Error{input} naming `place` if decoding fails.
+GroundImage decodeNeededImage(std::span<const std::byte> file, const std::string& place);
+
 inline constexpr std::uint32_t imageSizeLimit =
     2048; ///< ground needs no finer texture in a field file
 

@@ -9,6 +9,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <array>
 #include <functional>
 
 namespace sward::terrain {
@@ -251,6 +252,103 @@ TEST(HeightHints, WhatIsTransparentIsAHole)
         "a.png", colorPng({2, 2}, 2, {1, 0, 2, 0, 3, 0, 4, 0}), {}, &diagnostics);
     EXPECT_EQ(mesh.triangles.size(), 2U);
     EXPECT_THAT(diagnostics.warnings(), Contains(HasSubstr("transparency is ignored")));
+}
+
+TEST(HeightHints, AlphaBelowHalfIsAHoleInEachFormat)
+{
+    // A channel A of an EXR: a corner is transparent, then all.
+    const std::vector<float> heights = {1.0f, 2.0f, 3.0f, 4.0f, 5.0f, 6.0f, 7.0f, 8.0f, 9.0f};
+    ExrLook look;
+    look.alpha.assign(9, 1.0f);
+    look.alpha[0] = 0.4f;
+    EXPECT_EQ(loadContent("a.exr", floatExr({3, 3}, heights, look)).triangles.size(), 7U);
+    look.alpha.assign(9, 0.0f);
+    Diagnostics diagnostics;
+    EXPECT_EQ(loadContent("a.exr", floatExr({3, 3}, heights, look), {}, &diagnostics)
+                  .triangles.size(),
+              8U);
+    EXPECT_THAT(diagnostics.warnings(), Contains(HasSubstr("transparency is ignored")));
+
+    // White at an alpha of 100 hides more than dark grey does.
+    std::vector<std::uint8_t> mask;
+    for (int i = 0; i < 16; ++i)
+        for (const int byte :
+             i == 5 ? std::array{255, 255, 255, 100} : std::array{150, 150, 150, 255})
+            mask.push_back(static_cast<std::uint8_t>(byte));
+    const ScratchFolder folder;
+    ImportSettings settings;
+    settings.heightmap.holeMask = folder.write("mask.png", colorPng({4, 4}, 4, mask));
+    const std::string level = greyPng({5, 5}, std::vector<std::uint16_t>(25, 7), 16);
+    EXPECT_EQ(loadContent("level.png", level, settings).triangles.size(), 2U * 15U);
+
+    // A mask that cannot be decoded says why.
+    settings.heightmap.holeMask = folder.write("mask.bmp", "GIF89a and more than a few bytes");
+    try {
+        loadContent("level.png", level, settings);
+        ADD_FAILURE();
+    } catch (const Error& error) {
+        EXPECT_EQ(error.kind(), ErrorKind::input);
+        EXPECT_THAT(error.what(), HasSubstr("GIF"));
+    }
+}
+
+TEST(HeightHints, BlackOfEncodedHeightsIsNoData)
+{
+    // A slope in terrarium, its first column black, or transparent besides.
+    for (const int channels : {3, 4}) {
+        std::vector<std::uint8_t> pixels;
+        for (int i = 0; i < 64; ++i) {
+            const int shifted = (100 + 32768) * 256 + 128 * (i % 8 + i / 8);
+            const bool isGap = i % 8 == 0;
+            for (const int byte : {shifted >> 16, shifted >> 8 & 255, shifted & 255})
+                pixels.push_back(static_cast<std::uint8_t>(isGap ? 0 : byte));
+            if (channels == 4)
+                pixels.push_back(isGap ? 0 : 255);
+        }
+        const std::string png = colorPng({8, 8}, channels, pixels);
+        Diagnostics diagnostics;
+        loadContent("a.png", png, {}, &diagnostics);
+        EXPECT_THAT(diagnostics.warnings(), Contains(HasSubstr("try --encoding terrarium")));
+        ImportSettings settings;
+        settings.heightmap.encoding = "terrarium";
+        Diagnostics decoded;
+        EXPECT_EQ(loadContent("a.png", png, settings, &decoded).triangles.size(), 2U * 6U * 7U);
+        EXPECT_THAT(decoded.warnings(), Contains(HasSubstr("8 of 64 samples have no height")));
+        EXPECT_THAT(decoded.warnings(), Not(Contains(HasSubstr("are transparent"))));
+
+        settings.heightmap.height = glm::dvec2(0.0, 50.0);
+        try {
+            loadContent("a.png", png, settings);
+            ADD_FAILURE();
+        } catch (const Error& error) {
+            EXPECT_EQ(error.kind(), ErrorKind::usage);
+            EXPECT_THAT(error.what(), HasSubstr("--encoding"));
+            EXPECT_THAT(error.what(), HasSubstr("--height"));
+        }
+    }
+}
+
+TEST(HeightHints, ARangeForMetresIsTold)
+{
+    ImportSettings settings;
+    settings.heightmap.height = glm::dvec2(0.0, 50.0);
+    for (const double step : {0.05, 1.0}) {
+        Diagnostics diagnostics;
+        loadContent("a.asc", grid("cellsize 1", 0.0, step), settings, &diagnostics);
+        if (step < 1.0)
+            EXPECT_THAT(diagnostics.warnings(), testing::IsEmpty());
+        else
+            EXPECT_THAT(diagnostics.warnings(), Contains(HasSubstr("the values 0 and 1")));
+    }
+}
+
+TEST(HeightHints, ATileOfTheNorthMayHaveHalfTheColumns)
+{
+    const GroundMesh mesh =
+        loadContent("N60E010.hgt", std::string(std::size_t(2) * 1801 * 3601, '\0'));
+    EXPECT_EQ(mesh.positions.size(), std::size_t(1801) * 3601);
+    EXPECT_NEAR(extentOf(mesh).x, 55'800.0, 10.0);
+    EXPECT_NEAR(extentOf(mesh).y, 111'132.0, 1.0);
 }
 
 } // namespace

@@ -109,6 +109,11 @@ std::string floatExr(const glm::uvec2& size, const std::vector<float>& samples, 
     buffer.insert(look.channel, look.isHalf
                                     ? Imf::Slice::Make(type, halves.data(), header.dataWindow())
                                     : Imf::Slice::Make(type, samples.data(), header.dataWindow()));
+    if (!look.alpha.empty()) {
+        expect(look.alpha.size() == samples.size(), "an alpha for each pixel");
+        header.channels().insert("A", Imf::Channel(Imf::FLOAT));
+        buffer.insert("A", Imf::Slice::Make(Imf::FLOAT, look.alpha.data(), header.dataWindow()));
+    }
     StringStream stream;
     if (look.isTiled) {
         header.setTileDescription(Imf::TileDescription(16, 16));

@@ -17,11 +17,13 @@ std::string greyPng(const glm::uvec2& size, const std::vector<std::uint16_t>& sa
 /// A PNG of 8 bits a sample: 2 channels (grey, alpha), 3 (RGB) or 4 (RGBA).
 std::string colorPng(const glm::uvec2& size, int channels, const std::vector<std::uint8_t>& bytes);
 
-/// An EXR of one channel, as floats or halves, in scan lines or in tiles of 16 x 16.
+/// An EXR of one channel, as floats or halves, in scan lines or in tiles of 16 x 16. `alpha`, a
+/// sample for each pixel, is a channel A besides.
 struct ExrLook {
     std::string channel = "Y";
     bool isHalf = false;
     bool isTiled = false;
+    std::vector<float> alpha = {};
 };
 std::string floatExr(const glm::uvec2& size, const std::vector<float>& samples,
                      const ExrLook& look = {});
