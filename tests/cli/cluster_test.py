@@ -145,6 +145,14 @@ class Tiles(ClusterTest):
         self.refused("merge", "plan.json", "tiles", "-o", "out.sward", code=code,
                      names=[f"missing ({missing})", f"damaged ({damaged})", f"bake again: {again}\n"])
 
+    def test_a_plan_whose_arguments_are_no_list_is_refused(self):
+        self.plan("--count", 10)
+        plan = json.loads((self.folder / "plan.json").read_text())
+        for arguments in (None, {"a": "--count"}, "--count=10"):
+            self.write_json("wrong.json", plan | {"arguments": arguments})
+            self.refused("tile", "wrong.json", "--index", "0", "-o", "none", code=INPUT,
+                         names=["wrong.json", "arguments"])
+
     def test_a_tile_of_another_plan_is_refused(self):
         self.plan(*OPTIONS)
         self.plan(*OPTIONS, "--align", "vertical", to="other.json")

@@ -207,6 +207,8 @@ TilePlan readPlan(const fs::path& path)
         TilePlan plan;
         plan.id = object.at("id").get<std::string>();
         plan.tiles = static_cast<std::uint32_t>(wholeNumberOf(object, "tiles", name, maxTiles));
+        if (!object.at("arguments").is_array())
+            fail(ErrorKind::input, "{}: arguments is not a list", name);
         for (const json& argument : object.at("arguments"))
             plan.arguments.push_back(bytesFromJson(argument, name + ": arguments"));
         plan.folder = bytesFromJson(object.at("folder"), name + ": folder");
