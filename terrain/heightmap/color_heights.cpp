@@ -27,7 +27,7 @@ constexpr double deepestSea = -12'000.0;
 constexpr double highestPeak = 9'500.0;
 
 // Share of the pixels that has to have a height.
-constexpr double leastShare = 0.25;
+constexpr double minShare = 0.25;
 
 // Alpha below this is transparent.
 constexpr unsigned char halfOpaque = 128;
@@ -59,7 +59,7 @@ bool looksLike(const PngPixels& pixels, HeightEncoding encoding)
             high = std::max(high, static_cast<double>(height));
             ++known;
         }
-    if (static_cast<double>(known) < leastShare * static_cast<double>(heights.size()))
+    if (static_cast<double>(known) < minShare * static_cast<double>(heights.size()))
         return false;
     const double range = high - low;
     if (low < deepestSea || low + range > highestPeak || !(range > 0.0))
