@@ -10,8 +10,8 @@ import unittest
 import zlib
 
 from image_files import asc, attribute, bmp, chunk, exr, jpeg, png, ramp, tga
-from own_words import foreign_words
 from support import CliTest, DONE, INPUT, PROGRAM
+from own_words import foreign_words  # support knows its folder
 
 MEGABYTE = 1 << 20
 SIDE = 4000  # samples, within the limits of a heightmap

@@ -7,8 +7,8 @@ import subprocess
 import unittest
 
 from image_files import chunk, exr, png, ramp
-from own_words import foreign_words
 from support import CliTest, DONE, INPUT, IO, PROGRAM, UNSUPPORTED, USAGE
+from own_words import foreign_words  # support knows its folder
 
 STROKES = {"format": "sward strokes 1", "strokes": [
     {"kind": "erase", "radius_m": 2, "points": [[0, 0, 0]], "normals": [[0, 1, 0]]}]}
