@@ -218,8 +218,8 @@ TilePlan readPlan(const fs::path& path)
         const auto number = [&](const char* key, double low = 0.0, double high = 1e300) {
             const auto value = resolved.at(key).get<double>();
             if (!(value >= low && value <= high))
-                fail(ErrorKind::input, "{}: resolved: {} is {}, outside [{}, {}]", name, key, value,
-                     low, high);
+                fail(ErrorKind::input, "{}: resolved: {} is {:.6g}, outside [{:.6g}, {:.6g}]", name,
+                     key, value, low, high);
             return value;
         };
         plan.plan.plan.scale = number("scale", smallestBladeScale, largestBladeScale);
