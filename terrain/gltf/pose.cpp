@@ -24,8 +24,8 @@ struct Influences {
     std::vector<std::vector<float>> weights;
 };
 
-// Weights of a primitive, zeros of accessors without a bufferView included: so many are free, and
-// so many more for each byte of the file. Compression takes a fraction of a byte for one.
+// Largest number of weights of a primitive: freeWeights, and weightGain for each byte of the file.
+// Zeros of accessors without a bufferView count. Compression takes a fraction of a byte for one.
 constexpr std::uint64_t freeWeights = std::uint64_t(1) << 22;
 constexpr std::uint64_t weightGain = 24;
 
@@ -200,10 +200,11 @@ std::vector<glm::dmat4> GltfPoser::jointsOf(int index)
             if (n % 4 < 3)
                 element = number;
             else if (std::fabs(number - element) > tolerance)
-                fail(ErrorKind::input,
-                     "{}: skin {}: element {} of the inverse bind matrix of joint {} is {}, but "
-                     "the last row must be 0 0 0 1: a projection does not place ground",
-                     place_, index, n, i, number);
+                fail(
+                    ErrorKind::input,
+                    "{}: skin {}: element {} of the inverse bind matrix of joint {} is {:.6g}, but "
+                    "the last row must be 0 0 0 1: a projection does not place ground",
+                    place_, index, n, i, number);
         }
         joints.push_back(worldOf(skin.joints[i]) * bind);
     }

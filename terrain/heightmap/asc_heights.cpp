@@ -109,15 +109,7 @@ bool isInDegrees(const AscHeader& header, const HeightSamples& samples)
     if (header.corner.x < -180.0 - slack || far.x > 360.0 + slack ||
         header.corner.y < -90.0 - slack || far.y > 90.0 + slack)
         return false;
-    float low = std::numeric_limits<float>::max();
-    float high = std::numeric_limits<float>::lowest();
-    for (const float value : samples.values)
-        if (!std::isnan(value)) {
-            low = std::min(low, value);
-            high = std::max(high, value);
-        }
-    const double relief = low <= high ? static_cast<double>(high) - static_cast<double>(low) : 0.0;
-    return relief > steepest * std::max(extent.x, extent.y) ||
+    return reliefOf(samples) > steepest * std::max(extent.x, extent.y) ||
            isArcMinutes(header.cell.x) || isArcMinutes(header.cell.y);
 }
 
@@ -132,8 +124,8 @@ void warnOfDegrees(const AscHeader& header, const glm::uvec2& size, const std::s
         "{}: its cells of {:.6g} x {:.6g} seem to be in degrees and are not used; give --extent{}",
         place, header.cell.x, header.cell.y,
         isOnGlobe ? fmt::format(": about {:.0f} {:.0f} at latitude {:.4g}",
-                                degrees.x * metresOfLongitude(middle),
-                                degrees.y * metresOfLatitude, middle)
+                                degrees.x * metresOfLongitude(middle), degrees.y * metresOfLatitude,
+                                middle)
                   : std::string());
 }
 

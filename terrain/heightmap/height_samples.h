@@ -71,6 +71,9 @@ double metresOfLongitude(double latitude);
 /// Length [m] of a degree along a meridian: 3600 times 30.87 m.
 inline constexpr double metresOfLatitude = 3600.0 * 30.87;
 
+/// Highest less lowest sample; 0 without any.
+double reliefOf(const HeightSamples& samples);
+
 /// Sets samples of metres that are not finite, farther than 1000 km from 0, or −9999, −32767,
 /// −32768 or −99999 to NaN, with a warning.
 void dropNoData(HeightSamples& samples, const std::string& place, Diagnostics& diagnostics);

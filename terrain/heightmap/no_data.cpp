@@ -45,8 +45,9 @@ void forEachPair(const HeightSamples& samples, Visit visit)
     }
 }
 
-// Highest less lowest height; 0 without any.
-double rangeOf(const HeightSamples& samples)
+} // namespace
+
+double reliefOf(const HeightSamples& samples)
 {
     float low = std::numeric_limits<float>::max();
     float high = std::numeric_limits<float>::lowest();
@@ -57,8 +58,6 @@ double rangeOf(const HeightSamples& samples)
         }
     return low <= high ? static_cast<double>(high) - static_cast<double>(low) : 0.0;
 }
-
-} // namespace
 
 void dropNoData(HeightSamples& samples, const std::string& place, Diagnostics& diagnostics)
 {
@@ -79,7 +78,7 @@ void hintAtNoData(const HeightSamples& samples, const std::string& place, Diagno
 {
     if (samples.isMetric || samples.values.empty())
         return;
-    const double range = rangeOf(samples);
+    const double range = reliefOf(samples);
     for (const float gap : wholeGaps) {
         const auto count = std::count(samples.values.begin(), samples.values.end(), gap);
         if (double(count) < minShare * double(samples.values.size()))

@@ -1,5 +1,7 @@
 #include "unit/terrain/glb_builder.h"
 
+#include "core/error.h"
+
 #include <unistd.h>
 
 #include <atomic>
@@ -174,6 +176,16 @@ GroundMesh loadContent(const std::string& name, const std::string& content,
     static const ScratchFolder folder;
     Diagnostics own;
     return load(folder.write(name, content), settings, diagnostics == nullptr ? own : *diagnostics);
+}
+
+std::string inputErrorOf(const std::string& name, const std::string& content)
+{
+    try {
+        loadContent(name, content);
+    } catch (const Error& error) {
+        return error.kind() == ErrorKind::input ? error.what() : "another kind of error";
+    }
+    return "it was read";
 }
 
 glm::dvec3 worldPosition(const GroundMesh& mesh, std::size_t vertex)

@@ -77,6 +77,10 @@ private:
 GroundMesh loadContent(const std::string& name, const std::string& content,
                        const ImportSettings& settings = {}, Diagnostics* diagnostics = nullptr);
 
+/// Message of the Error{input} with which loadContent() refuses a file. "it was read" without
+/// one, "another kind of error" for others.
+std::string inputErrorOf(const std::string& name, const std::string& content);
+
 /// World position of a vertex.
 glm::dvec3 worldPosition(const GroundMesh& mesh, std::size_t vertex);
 

@@ -104,17 +104,6 @@ TEST(MeshGaps, EveryPropertyOfAPlyMayHaveAnyType)
         }
 }
 
-std::string messageOf(const std::string& name, const std::string& content)
-{
-    try {
-        loadContent(name, content);
-    } catch (const Error& error) {
-        EXPECT_EQ(error.kind(), ErrorKind::input) << error.what();
-        return error.what();
-    }
-    return "it was read";
-}
-
 TEST(MeshGaps, APlySaysWhatItLacks)
 {
     const std::string head = "ply\nformat ascii 1.0\n";
@@ -127,18 +116,18 @@ TEST(MeshGaps, APlySaysWhatItLacks)
     const std::string faces = "element face 1\nproperty list uchar int vertex_indices\n";
     const std::string end = "end_header\n0 0 0\n0 0 1\n1 0 0\n3 0 1 2\n";
     const std::string all = vertices({"x", "y", "z"});
-    EXPECT_THAT(messageOf("a.ply", head + vertices({"x", "y"}) + faces + end),
+    EXPECT_THAT(inputErrorOf("a.ply", head + vertices({"x", "y"}) + faces + end),
                 HasSubstr("property z of its vertices is missing"));
-    EXPECT_THAT(messageOf("a.ply", head + vertices({"y", "z"}) + faces + end),
+    EXPECT_THAT(inputErrorOf("a.ply", head + vertices({"y", "z"}) + faces + end),
                 HasSubstr("property x"));
-    EXPECT_THAT(messageOf("a.ply", head + faces + end), HasSubstr("no element vertex"));
-    EXPECT_THAT(messageOf("a.ply", head + all + end), HasSubstr("no element face"));
-    EXPECT_THAT(messageOf("a.ply", head + all + "element face 1\nproperty uchar flags\n" + end),
+    EXPECT_THAT(inputErrorOf("a.ply", head + faces + end), HasSubstr("no element vertex"));
+    EXPECT_THAT(inputErrorOf("a.ply", head + all + end), HasSubstr("no element face"));
+    EXPECT_THAT(inputErrorOf("a.ply", head + all + "element face 1\nproperty uchar flags\n" + end),
                 HasSubstr("no list vertex_indices"));
     EXPECT_THAT(
-        messageOf("a.ply", head + all + "element face 1\nproperty int vertex_index\n" + end),
+        inputErrorOf("a.ply", head + all + "element face 1\nproperty int vertex_index\n" + end),
         HasSubstr("vertex_index of element face is no list"));
-    EXPECT_THAT(messageOf("a.ply", head + vertices({"x", "y", "z", "x"}) + faces + end),
+    EXPECT_THAT(inputErrorOf("a.ply", head + vertices({"x", "y", "z", "x"}) + faces + end),
                 HasSubstr("line 7: element vertex has a second property x"));
 }
 
@@ -148,9 +137,9 @@ TEST(MeshGaps, APlyNamesVerticesByWholeNumbers)
         "ply\nformat ascii 1.0\nelement vertex 3\nproperty float x\nproperty float y\n"
         "property float z\nelement face 1\nproperty list uchar double vertex_indices\n"
         "end_header\n0 0 0\n4 0 0\n0 4 0\n3 0 1 ";
-    EXPECT_THAT(messageOf("a.ply", head + "2.000000000000004\n"),
+    EXPECT_THAT(inputErrorOf("a.ply", head + "2.000000000000004\n"),
                 HasSubstr("about 2, has a fraction"));
-    EXPECT_THAT(messageOf("a.ply", head + "4294967295\n"),
+    EXPECT_THAT(inputErrorOf("a.ply", head + "4294967295\n"),
                 HasSubstr("names vertex 4294967295, but there are 3"));
 }
 
@@ -233,7 +222,7 @@ TEST(MeshGaps, ElementsOfAnOffMayShareLines)
         EXPECT_DOUBLE_EQ(mesh.area(0) + mesh.area(1), 1.0) << text;
         EXPECT_THAT(diagnostics.warnings(), IsEmpty()) << text;
     }
-    EXPECT_THAT(messageOf("a.off", "OFF 4 2 0 0 0 0 0 0 1 1 0 0 1 0 1 3 0 1 2 3 2 1"),
+    EXPECT_THAT(inputErrorOf("a.off", "OFF 4 2 0 0 0 0 0 0 1 1 0 0 1 0 1 3 0 1 2 3 2 1"),
                 HasSubstr("truncated"));
     // Faces without corners take two bytes each.
     std::string many = "OFF\n3 40 0\n0 0 0\n0 0 1\n1 0 0\n3 0 1 2\n";
@@ -272,12 +261,14 @@ TEST(MeshGaps, AnStlMayBeCalledFacet)
 TEST(MeshGaps, AVertexOfTwoCoordinatesLacksItsThird)
 {
     for (const char* rest : {"", "  ", " # a comment"})
-        EXPECT_THAT(messageOf("a.obj", fmt::format("v 0 0 0\nv 4 0{}\nv 4 4 0\nf 1 2 3\n", rest)),
-                    HasSubstr("line 2: the vertex has 2 coordinates: z is missing"));
-    EXPECT_THAT(messageOf("a.off", "OFF\n# flat\n3 1 0\n0 0\n4 0\n4 4\n3 0 1 2\n"),
+        EXPECT_THAT(
+            inputErrorOf("a.obj", fmt::format("v 0 0 0\nv 4 0{}\nv 4 4 0\nf 1 2 3\n", rest)),
+            HasSubstr("line 2: the vertex has 2 coordinates: z is missing"));
+    EXPECT_THAT(inputErrorOf("a.off", "OFF\n# flat\n3 1 0\n0 0\n4 0\n4 4\n3 0 1 2\n"),
                 HasSubstr("line 4: the vertex has 2 coordinates: z is missing"));
-    EXPECT_THAT(messageOf("a.stl", "solid a facet normal 0 1 0 outer loop\nvertex 0 0\nvertex 1 0\n"
-                                   "vertex 1 1\nendloop endfacet endsolid"),
+    EXPECT_THAT(inputErrorOf("a.stl",
+                             "solid a facet normal 0 1 0 outer loop\nvertex 0 0\nvertex 1 0\n"
+                             "vertex 1 1\nendloop endfacet endsolid"),
                 HasSubstr("line 3: coordinate z of a vertex is missing"));
 }
 
