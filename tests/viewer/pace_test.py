@@ -83,8 +83,9 @@ class AnswerTest(WindowCase):
         self.assertLess(time.monotonic() - begin, 1.0)
         baker = viewer.wait(lambda: child_of(viewer), "the baker runs")
         os.kill(baker, signal.SIGSTOP)
-        self.assertEqual(viewer.shows("Status/Numbers"), "no field")
-        self.assertIn("Baking", viewer.shows("Message/Notice"))
+        # The baker is stopped: these stay as they are until it goes on.
+        viewer.wait_for_value("Message/Notice", lambda notice: "Baking" in notice, "it says that it bakes")
+        viewer.wait_for_value("Status/Numbers", lambda numbers: numbers == "opening", "it says that it opens")
         viewer.open_panel("Physics")
         viewer.set("Recovery", "Physics", 0.9)
         self.assertGreater(float(viewer.shows("Physics/Recovery")), 20)
