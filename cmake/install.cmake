@@ -51,8 +51,8 @@ set(doors
   field/delta.h field/field.h field/inspect.h field/read.h field/write.h
   terrain/load.h terrain/recipe.h
   bake/bake.h bake/meadow.h bake/paint/stroke_file.h bake/report.h bake/session.h bake/settings.h
-  gpu/check.h gpu/commands.h gpu/context.h gpu/device_choice.h gpu/device_report.h
-  gpu/features.h gpu/graphics_pipeline.h gpu/host_device.h gpu/image.h gpu/image_use.h gpu/instance.h gpu/readback.h gpu/rendering.h
+  gpu/context/check.h gpu/recording/commands.h gpu/context/context.h gpu/device/device_choice.h gpu/device/device_report.h
+  gpu/device/features.h gpu/pipeline/graphics_pipeline.h gpu/context/host_device.h gpu/memory/image.h gpu/memory/image_use.h gpu/device/instance.h gpu/memory/readback.h gpu/recording/rendering.h
   render/camera_presets.h render/field_renderer.h render/grass.h render/look_settings.h
   render/settings_file.h c/sward.h)
 install(CODE "set(SWARD_DOORS \"${doors}\")

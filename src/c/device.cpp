@@ -1,6 +1,6 @@
 #include "c/guard.h"
 #include "c/handles.h"
-#include "gpu/host_device.h"
+#include "gpu/context/host_device.h"
 #include "render/settings_file.h"
 
 #include <glm/geometric.hpp>

@@ -2,7 +2,7 @@
 
 #include "c/field_handle.h"
 #include "c/sward.h"
-#include "gpu/features.h"
+#include "gpu/device/features.h"
 #include "render/grass.h"
 
 #include <memory>

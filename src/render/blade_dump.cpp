@@ -1,7 +1,7 @@
 #include "render/blade_dump.h"
 
-#include "gpu/check.h"
-#include "gpu/readback.h"
+#include "gpu/context/check.h"
+#include "gpu/memory/readback.h"
 #include "shaders/shared/frame.h"
 #include "shaders/shared/passes.h"
 

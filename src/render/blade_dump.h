@@ -1,7 +1,7 @@
 #pragma once
 
 #include "field/field.h"
-#include "gpu/context.h"
+#include "gpu/context/context.h"
 #include "render/cull/field_buffers.h"
 #include "render/field_renderer.h"
 #include "render/streaming/streaming.h"

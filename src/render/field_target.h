@@ -1,14 +1,14 @@
 #pragma once
 
 #include "field/field.h"
-#include "gpu/context.h"
+#include "gpu/context/context.h"
 #include "render/field_renderer_settings.h"
 #include "render/target_settings.h"
 
 namespace sward::render {
 
-/// What the rasteriser's pipelines are made for: the settings, the device, and the shapes, folds and
-/// plants that the field's species have.
+/// What the rasteriser's pipelines are made for: the settings, the device, and the shapes, folds
+/// and plants that the field's species have.
 TargetSettings targetFor(const gpu::DeviceContext& context, const field::FieldView& field,
                          const FieldRendererSettings& wanted);
 

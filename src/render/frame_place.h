@@ -1,7 +1,7 @@
 #pragma once
 
-#include "gpu/pipeline_layout.h"
-#include "gpu/recording.h"
+#include "gpu/pipeline/pipeline_layout.h"
+#include "gpu/recording/recording.h"
 
 #include <vulkan/vulkan.h>
 

@@ -1,6 +1,6 @@
 #include "render/frame_slot.h"
 
-#include "gpu/barrier.h"
+#include "gpu/recording/barrier.h"
 
 #include <cstring>
 

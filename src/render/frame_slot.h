@@ -1,8 +1,8 @@
 #pragma once
 
-#include "gpu/buffer.h"
-#include "gpu/context.h"
-#include "gpu/uniform_sets.h"
+#include "gpu/context/context.h"
+#include "gpu/memory/buffer.h"
+#include "gpu/pipeline/uniform_sets.h"
 #include "render/field/frame_tables.h"
 #include "render/frame_place.h"
 #include "render/frame_settings.h"

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "field/delta.h"
-#include "gpu/context.h"
+#include "gpu/context/context.h"
 #include "render/frame_stats.h"
 #include "render/grass_frame.h"
 #include "render/placement.h"

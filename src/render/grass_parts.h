@@ -1,7 +1,7 @@
 #pragma once
 
-#include "gpu/recording.h"
-#include "gpu/shader_library.h"
+#include "gpu/pipeline/shader_library.h"
+#include "gpu/recording/recording.h"
 #include "render/cull/pyramid_pass.h"
 #include "render/cull/update_cull_pass.h"
 #include "render/cull/walk_pass.h"

@@ -1,6 +1,6 @@
 #include "core/error.h"
-#include "gpu/barrier.h"
-#include "gpu/debug.h"
+#include "gpu/context/debug.h"
+#include "gpu/recording/barrier.h"
 #include "render/grass_parts.h"
 #include "shaders/shared/passes.h"
 

@@ -1,7 +1,7 @@
 #include "render/host_image.h"
 
 #include "core/error.h"
-#include "gpu/format_kind.h"
+#include "gpu/memory/format_kind.h"
 
 namespace sward::render {
 namespace {

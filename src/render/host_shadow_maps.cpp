@@ -1,8 +1,8 @@
 #include "render/host_shadow_maps.h"
 
-#include "gpu/barrier.h"
-#include "gpu/check.h"
-#include "gpu/debug.h"
+#include "gpu/context/check.h"
+#include "gpu/context/debug.h"
+#include "gpu/recording/barrier.h"
 
 namespace sward::render {
 namespace {

@@ -1,11 +1,11 @@
 #pragma once
 
-#include "gpu/context.h"
-#include "gpu/handle.h"
-#include "gpu/image_set.h"
-#include "gpu/memory.h"
-#include "gpu/recording.h"
-#include "gpu/sampler.h"
+#include "gpu/context/context.h"
+#include "gpu/context/handle.h"
+#include "gpu/memory/memory.h"
+#include "gpu/pipeline/image_set.h"
+#include "gpu/pipeline/sampler.h"
+#include "gpu/recording/recording.h"
 #include "render/host_light.h"
 #include "render/host_view.h"
 

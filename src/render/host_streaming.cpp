@@ -1,6 +1,6 @@
 #include "render/host_streaming.h"
 
-#include "gpu/barrier.h"
+#include "gpu/recording/barrier.h"
 
 #include <algorithm>
 

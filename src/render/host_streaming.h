@@ -1,6 +1,6 @@
 #pragma once
 
-#include "gpu/recording.h"
+#include "gpu/recording/recording.h"
 #include "render/field/placed_field.h"
 #include "render/frame_stats.h"
 #include "render/streaming/streaming.h"

@@ -1,9 +1,9 @@
 #pragma once
 
 #include "field/delta.h"
-#include "gpu/context.h"
-#include "gpu/recording.h"
-#include "gpu/shader_library.h"
+#include "gpu/context/context.h"
+#include "gpu/pipeline/shader_library.h"
+#include "gpu/recording/recording.h"
 #include "render/field/baked_blades.h"
 #include "render/field/blade_states.h"
 #include "render/field/field_edits.h"

@@ -2,7 +2,7 @@
 
 #include "core/embedded.h"
 #include "core/error.h"
-#include "gpu/shader_library.h"
+#include "gpu/pipeline/shader_library.h"
 #include "render/field/edited_field.h"
 #include "render/resident_parts.h"
 #include "render/streaming/page_budget.h"

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "gpu/staged_upload.h"
+#include "gpu/memory/staged_upload.h"
 #include "render/field/baked_blades.h"
 #include "render/field/grass_cover.h"
 #include "render/frame.h"

@@ -1,7 +1,7 @@
 #include "render/stored_picture.h"
 
 #include "core/error.h"
-#include "gpu/format_kind.h"
+#include "gpu/memory/format_kind.h"
 
 #include <glm/vector_relational.hpp>
 

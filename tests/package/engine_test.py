@@ -10,7 +10,7 @@ PAGE = PREFIX / "share/doc/sward/docs/engine.md"
 
 # Structs of a host, and the headers that have them.
 STRUCTS = {
-    "gpu::HostDevice": "gpu/host_device.h", "render::FieldBudget": "render/resident_field.h",
+    "gpu::HostDevice": "gpu/context/host_device.h", "render::FieldBudget": "render/resident_field.h",
     "render::Grass::Settings": "render/grass.h", "render::FieldInstance": "render/grass.h",
     "render::Placement": "render/placement.h", "render::HostTarget": "render/tessellation/blade_target.h",
     "render::GrassFrame": "render/grass_frame.h", "render::HostView": "render/host_view.h",

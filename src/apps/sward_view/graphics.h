@@ -1,6 +1,6 @@
 #pragma once
 
-#include "gpu/instance.h"
+#include "gpu/device/instance.h"
 
 #include <string>
 #include <vector>

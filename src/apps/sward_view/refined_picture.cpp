@@ -1,10 +1,10 @@
 #include "apps/sward_view/refined_picture.h"
 
 #include "core/expect.h"
-#include "gpu/barrier.h"
-#include "gpu/check.h"
-#include "gpu/commands.h"
-#include "gpu/image_use.h"
+#include "gpu/context/check.h"
+#include "gpu/memory/image_use.h"
+#include "gpu/recording/barrier.h"
+#include "gpu/recording/commands.h"
 
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>

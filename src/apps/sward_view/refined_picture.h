@@ -2,10 +2,10 @@
 
 #include "apps/sward_view/picture_mean.h"
 #include "apps/sward_view/scaled_picture.h"
-#include "gpu/buffer.h"
-#include "gpu/context.h"
-#include "gpu/frame_ring.h"
-#include "gpu/image.h"
+#include "gpu/context/context.h"
+#include "gpu/memory/buffer.h"
+#include "gpu/memory/image.h"
+#include "gpu/recording/frame_ring.h"
 #include "render/field_renderer.h"
 
 #include <glm/vec2.hpp>

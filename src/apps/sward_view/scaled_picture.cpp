@@ -1,8 +1,8 @@
 #include "apps/sward_view/scaled_picture.h"
 
-#include "gpu/barrier.h"
-#include "gpu/check.h"
-#include "gpu/image_use.h"
+#include "gpu/context/check.h"
+#include "gpu/memory/image_use.h"
+#include "gpu/recording/barrier.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,8 +1,8 @@
 #pragma once
 
-#include "gpu/context.h"
-#include "gpu/image.h"
-#include "gpu/swapchain.h"
+#include "gpu/context/context.h"
+#include "gpu/memory/image.h"
+#include "gpu/presentation/swapchain.h"
 
 #include <glm/vec2.hpp>
 #include <vulkan/vulkan.h>

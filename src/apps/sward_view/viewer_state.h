@@ -12,7 +12,7 @@
 #include "apps/sward_view/shown_field.h"
 #include "apps/sward_view/window/collider_dragger.h"
 #include "apps/sward_view/window/recent_files.h"
-#include "gpu/timestamps.h"
+#include "gpu/recording/timestamps.h"
 #include "render/frame_settings.h"
 
 #include <cstddef>

@@ -1,8 +1,8 @@
 #pragma once
 
-#include "gpu/context.h"
-#include "gpu/image.h"
-#include "gpu/shader_library.h"
+#include "gpu/context/context.h"
+#include "gpu/memory/image.h"
+#include "gpu/pipeline/shader_library.h"
 #include "render/cull/pyramid_pass.h"
 #include "shaders/shared/frame.h"
 

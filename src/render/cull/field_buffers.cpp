@@ -1,7 +1,7 @@
 #include "render/cull/field_buffers.h"
 
 #include "core/error.h"
-#include "gpu/compute_pipeline.h"
+#include "gpu/pipeline/compute_pipeline.h"
 #include "render/field/edited_field.h"
 #include "shaders/shared/pages.h"
 #include "shaders/shared/passes.h"

@@ -1,7 +1,7 @@
 #include "render/cull/moving_blades.h"
 
 #include "core/expect.h"
-#include "gpu/barrier.h"
+#include "gpu/recording/barrier.h"
 #include "render/cull/pass_scope.h"
 #include "render/frame_time.h"
 

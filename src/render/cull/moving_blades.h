@@ -1,8 +1,8 @@
 #pragma once
 
-#include "gpu/context.h"
-#include "gpu/shader_library.h"
-#include "gpu/timestamps.h"
+#include "gpu/context/context.h"
+#include "gpu/pipeline/shader_library.h"
+#include "gpu/recording/timestamps.h"
 #include "render/cull/field_buffers.h"
 #include "render/cull/update_cull_pass.h"
 #include "render/cull/walk_pass.h"

@@ -1,8 +1,8 @@
 #pragma once
 
-#include "gpu/barrier.h"
-#include "gpu/debug.h"
-#include "gpu/timestamps.h"
+#include "gpu/context/debug.h"
+#include "gpu/recording/barrier.h"
+#include "gpu/recording/timestamps.h"
 
 #include <vulkan/vulkan.h>
 

@@ -1,12 +1,12 @@
 #pragma once
 
-#include "gpu/buffer.h"
-#include "gpu/compute_pipeline.h"
-#include "gpu/context.h"
-#include "gpu/image_set.h"
-#include "gpu/recording.h"
-#include "gpu/sampler.h"
-#include "gpu/shader_library.h"
+#include "gpu/context/context.h"
+#include "gpu/memory/buffer.h"
+#include "gpu/pipeline/compute_pipeline.h"
+#include "gpu/pipeline/image_set.h"
+#include "gpu/pipeline/sampler.h"
+#include "gpu/pipeline/shader_library.h"
+#include "gpu/recording/recording.h"
 #include "shaders/shared/frame.h"
 
 #include <glm/vec2.hpp>

@@ -1,7 +1,7 @@
 #include "render/cull/update_cull_pass.h"
 
 #include "core/expect.h"
-#include "gpu/barrier.h"
+#include "gpu/recording/barrier.h"
 #include "shaders/shared/passes.h"
 
 #include <algorithm>

@@ -1,10 +1,10 @@
 #pragma once
 
-#include "gpu/compute_pipeline.h"
-#include "gpu/context.h"
-#include "gpu/recording.h"
-#include "gpu/shader_library.h"
-#include "gpu/uniform_sets.h"
+#include "gpu/context/context.h"
+#include "gpu/pipeline/compute_pipeline.h"
+#include "gpu/pipeline/shader_library.h"
+#include "gpu/pipeline/uniform_sets.h"
+#include "gpu/recording/recording.h"
 #include "render/field/baked_blades.h"
 #include "render/field/visible_blades.h"
 #include "render/frame_place.h"

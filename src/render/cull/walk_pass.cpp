@@ -1,6 +1,6 @@
 #include "render/cull/walk_pass.h"
 
-#include "gpu/barrier.h"
+#include "gpu/recording/barrier.h"
 #include "render/cull/update_cull_pass.h"
 #include "shaders/shared/passes.h"
 

@@ -1,9 +1,9 @@
 #pragma once
 
-#include "gpu/compute_pipeline.h"
-#include "gpu/context.h"
-#include "gpu/recording.h"
-#include "gpu/shader_library.h"
+#include "gpu/context/context.h"
+#include "gpu/pipeline/compute_pipeline.h"
+#include "gpu/pipeline/shader_library.h"
+#include "gpu/recording/recording.h"
 #include "render/field/baked_blades.h"
 #include "render/field/visible_blades.h"
 

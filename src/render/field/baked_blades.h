@@ -2,9 +2,9 @@
 
 #include "field/distributions.h"
 #include "field/field.h"
-#include "gpu/buffer.h"
-#include "gpu/buffer_upload.h"
-#include "gpu/context.h"
+#include "gpu/context/context.h"
+#include "gpu/memory/buffer.h"
+#include "gpu/memory/buffer_upload.h"
 #include "render/field/patch_sizes.h"
 #include "render/field/patch_tree.h"
 #include "shaders/shared/frame.h"

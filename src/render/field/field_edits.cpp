@@ -1,7 +1,7 @@
 #include "render/field/field_edits.h"
 
 #include "field/distributions.h"
-#include "gpu/barrier.h"
+#include "gpu/recording/barrier.h"
 #include "shaders/shared/edits.h"
 #include "shaders/shared/pose.h"
 

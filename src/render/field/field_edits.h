@@ -1,11 +1,11 @@
 #pragma once
 
 #include "field/delta.h"
-#include "gpu/buffer.h"
-#include "gpu/compute_pipeline.h"
-#include "gpu/context.h"
-#include "gpu/recording.h"
-#include "gpu/shader_library.h"
+#include "gpu/context/context.h"
+#include "gpu/memory/buffer.h"
+#include "gpu/pipeline/compute_pipeline.h"
+#include "gpu/pipeline/shader_library.h"
+#include "gpu/recording/recording.h"
 #include "render/field/baked_blades.h"
 #include "render/field/blade_states.h"
 #include "render/field/edited_field.h"

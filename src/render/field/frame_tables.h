@@ -1,7 +1,7 @@
 #pragma once
 
-#include "gpu/buffer.h"
-#include "gpu/context.h"
+#include "gpu/context/context.h"
+#include "gpu/memory/buffer.h"
 #include "render/frame.h"
 #include "render/frame_settings.h"
 #include "shaders/shared/frame.h"

@@ -2,9 +2,9 @@
 
 #include "field/delta.h"
 #include "field/field.h"
-#include "gpu/buffer.h"
-#include "gpu/buffer_upload.h"
-#include "gpu/context.h"
+#include "gpu/context/context.h"
+#include "gpu/memory/buffer.h"
+#include "gpu/memory/buffer_upload.h"
 #include "render/field/free_ranges.h"
 #include "shaders/shared/cover.h"
 #include "shaders/shared/frame.h"

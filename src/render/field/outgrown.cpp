@@ -1,6 +1,6 @@
 #include "render/field/outgrown.h"
 
-#include "gpu/barrier.h"
+#include "gpu/recording/barrier.h"
 
 #include <utility>
 

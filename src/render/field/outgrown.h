@@ -1,7 +1,7 @@
 #pragma once
 
-#include "gpu/buffer.h"
-#include "gpu/recording.h"
+#include "gpu/memory/buffer.h"
+#include "gpu/recording/recording.h"
 
 #include <vulkan/vulkan.h>
 

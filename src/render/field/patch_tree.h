@@ -1,9 +1,9 @@
 #pragma once
 
 #include "field/field.h"
-#include "gpu/buffer.h"
-#include "gpu/buffer_upload.h"
-#include "gpu/context.h"
+#include "gpu/context/context.h"
+#include "gpu/memory/buffer.h"
+#include "gpu/memory/buffer_upload.h"
 #include "render/field/outgrown.h"
 #include "shaders/shared/patch_tree.h"
 

@@ -1,7 +1,7 @@
 #include "render/field/placed_field.h"
 
 #include "core/expect.h"
-#include "gpu/compute_pipeline.h"
+#include "gpu/pipeline/compute_pipeline.h"
 #include "render/field/frame_tables.h"
 #include "render/frame_time.h"
 #include "render/host_shadow_maps.h"

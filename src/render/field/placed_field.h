@@ -1,8 +1,8 @@
 #pragma once
 
-#include "gpu/buffer.h"
-#include "gpu/recording.h"
-#include "gpu/uniform_sets.h"
+#include "gpu/memory/buffer.h"
+#include "gpu/pipeline/uniform_sets.h"
+#include "gpu/recording/recording.h"
 #include "render/field/blade_states.h"
 #include "render/field/outgrown.h"
 #include "render/field/visible_blades.h"

@@ -1,6 +1,6 @@
 #include "render/field/visible_blades.h"
 
-#include "gpu/compute_pipeline.h"
+#include "gpu/pipeline/compute_pipeline.h"
 #include "shaders/shared/passes.h"
 
 #include <algorithm>

@@ -2,7 +2,7 @@
 
 #include "core/error.h"
 #include "core/expect.h"
-#include "gpu/check.h"
+#include "gpu/context/check.h"
 
 namespace sward::render {
 

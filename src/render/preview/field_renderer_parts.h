@@ -1,9 +1,9 @@
 #pragma once
 
-#include "gpu/context.h"
-#include "gpu/rendering.h"
-#include "gpu/shader_library.h"
-#include "gpu/timestamps.h"
+#include "gpu/context/context.h"
+#include "gpu/pipeline/shader_library.h"
+#include "gpu/recording/rendering.h"
+#include "gpu/recording/timestamps.h"
 #include "render/cull/depth_pyramid.h"
 #include "render/cull/moving_blades.h"
 #include "render/field/grass_cover.h"

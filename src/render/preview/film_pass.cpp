@@ -1,7 +1,7 @@
 #include "render/preview/film_pass.h"
 
-#include "gpu/image_use.h"
-#include "gpu/rendering.h"
+#include "gpu/memory/image_use.h"
+#include "gpu/recording/rendering.h"
 
 #include <optional>
 #include <span>

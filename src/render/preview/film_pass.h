@@ -1,11 +1,11 @@
 #pragma once
 
-#include "gpu/context.h"
-#include "gpu/graphics_pipeline.h"
-#include "gpu/image.h"
-#include "gpu/image_set.h"
-#include "gpu/sampler.h"
-#include "gpu/shader_library.h"
+#include "gpu/context/context.h"
+#include "gpu/memory/image.h"
+#include "gpu/pipeline/graphics_pipeline.h"
+#include "gpu/pipeline/image_set.h"
+#include "gpu/pipeline/sampler.h"
+#include "gpu/pipeline/shader_library.h"
 #include "render/target_settings.h"
 
 #include <glm/vec2.hpp>

@@ -2,12 +2,12 @@
 
 #include "core/bounds.h"
 #include "field/field.h"
-#include "gpu/buffer.h"
-#include "gpu/context.h"
-#include "gpu/image.h"
-#include "gpu/image_set.h"
-#include "gpu/sampler.h"
-#include "gpu/upload.h"
+#include "gpu/context/context.h"
+#include "gpu/memory/buffer.h"
+#include "gpu/memory/image.h"
+#include "gpu/memory/upload.h"
+#include "gpu/pipeline/image_set.h"
+#include "gpu/pipeline/sampler.h"
 
 #include <vulkan/vulkan.h>
 

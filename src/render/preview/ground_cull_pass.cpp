@@ -1,6 +1,6 @@
 #include "render/preview/ground_cull_pass.h"
 
-#include "gpu/barrier.h"
+#include "gpu/recording/barrier.h"
 #include "shaders/shared/passes.h"
 
 #include <algorithm>

@@ -1,7 +1,7 @@
 #pragma once
 
-#include "gpu/context.h"
-#include "gpu/shader_library.h"
+#include "gpu/context/context.h"
+#include "gpu/pipeline/shader_library.h"
 #include "render/preview/collider_pass.h"
 #include "render/preview/ground_buffers.h"
 #include "render/preview/ground_cull_pass.h"

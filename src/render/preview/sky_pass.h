@@ -1,8 +1,8 @@
 #pragma once
 
-#include "gpu/context.h"
-#include "gpu/graphics_pipeline.h"
-#include "gpu/shader_library.h"
+#include "gpu/context/context.h"
+#include "gpu/pipeline/graphics_pipeline.h"
+#include "gpu/pipeline/shader_library.h"
 #include "render/target_settings.h"
 
 #include <vulkan/vulkan.h>

@@ -1,9 +1,9 @@
 #include "render/preview/sun_shadow.h"
 
-#include "gpu/barrier.h"
-#include "gpu/debug.h"
-#include "gpu/image_use.h"
-#include "gpu/rendering.h"
+#include "gpu/context/debug.h"
+#include "gpu/memory/image_use.h"
+#include "gpu/recording/barrier.h"
+#include "gpu/recording/rendering.h"
 #include "render/target_settings.h"
 #include "shaders/shared/octahedral.h"
 #include "shaders/shared/passes.h"

@@ -1,11 +1,11 @@
 #pragma once
 
 #include "core/bounds.h"
-#include "gpu/buffer.h"
-#include "gpu/context.h"
-#include "gpu/graphics_pipeline.h"
-#include "gpu/image.h"
-#include "gpu/shader_library.h"
+#include "gpu/context/context.h"
+#include "gpu/memory/buffer.h"
+#include "gpu/memory/image.h"
+#include "gpu/pipeline/graphics_pipeline.h"
+#include "gpu/pipeline/shader_library.h"
 #include "render/preview/ground_buffers.h"
 #include "render/preview/shadow_contents.h"
 #include "shaders/shared/frame.h"

@@ -1,6 +1,6 @@
 #include "render/raster/host_raster.h"
 
-#include "gpu/barrier.h"
+#include "gpu/recording/barrier.h"
 #include "render/field/placed_field.h"
 #include "render/target_settings.h"
 

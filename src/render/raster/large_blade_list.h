@@ -1,8 +1,8 @@
 #pragma once
 
-#include "gpu/buffer.h"
-#include "gpu/context.h"
-#include "gpu/recording.h"
+#include "gpu/context/context.h"
+#include "gpu/memory/buffer.h"
+#include "gpu/recording/recording.h"
 #include "render/cull/update_cull_pass.h"
 #include "shaders/shared/passes.h"
 

@@ -1,10 +1,10 @@
 #pragma once
 
-#include "gpu/buffer.h"
-#include "gpu/compute_pipeline.h"
-#include "gpu/context.h"
-#include "gpu/shader_library.h"
-#include "gpu/uniform_sets.h"
+#include "gpu/context/context.h"
+#include "gpu/memory/buffer.h"
+#include "gpu/pipeline/compute_pipeline.h"
+#include "gpu/pipeline/shader_library.h"
+#include "gpu/pipeline/uniform_sets.h"
 #include "render/cull/field_buffers.h"
 #include "render/frame_place.h"
 #include "render/raster/large_blade_list.h"

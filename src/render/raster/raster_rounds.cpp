@@ -1,6 +1,6 @@
 #include "render/raster/raster_rounds.h"
 
-#include "gpu/barrier.h"
+#include "gpu/recording/barrier.h"
 #include "render/cull/pass_scope.h"
 
 namespace sward::render {

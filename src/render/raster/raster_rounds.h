@@ -1,7 +1,7 @@
 #pragma once
 
-#include "gpu/context.h"
-#include "gpu/timestamps.h"
+#include "gpu/context/context.h"
+#include "gpu/recording/timestamps.h"
 #include "render/cull/moving_blades.h"
 #include "render/raster/raster_pass.h"
 

@@ -1,11 +1,11 @@
 #pragma once
 
-#include "gpu/compute_pipeline.h"
-#include "gpu/context.h"
-#include "gpu/image_set.h"
-#include "gpu/recording.h"
-#include "gpu/shader_library.h"
-#include "gpu/uniform_sets.h"
+#include "gpu/context/context.h"
+#include "gpu/pipeline/compute_pipeline.h"
+#include "gpu/pipeline/image_set.h"
+#include "gpu/pipeline/shader_library.h"
+#include "gpu/pipeline/uniform_sets.h"
+#include "gpu/recording/recording.h"
 #include "render/frame_place.h"
 #include "render/host_view.h"
 #include "shaders/shared/debug_mode.h"

@@ -1,8 +1,8 @@
 #include "render/resolve/resolve_pass.h"
 
 #include "core/expect.h"
-#include "gpu/barrier.h"
-#include "gpu/image_use.h"
+#include "gpu/memory/image_use.h"
+#include "gpu/recording/barrier.h"
 
 #include <array>
 #include <span>

@@ -1,10 +1,10 @@
 #pragma once
 
-#include "gpu/buffer.h"
-#include "gpu/compute_pipeline.h"
-#include "gpu/context.h"
-#include "gpu/shader_library.h"
-#include "gpu/uniform_sets.h"
+#include "gpu/context/context.h"
+#include "gpu/memory/buffer.h"
+#include "gpu/pipeline/compute_pipeline.h"
+#include "gpu/pipeline/shader_library.h"
+#include "gpu/pipeline/uniform_sets.h"
 #include "render/frame_place.h"
 #include "render/target_settings.h"
 #include "shaders/shared/passes.h"

@@ -1,9 +1,9 @@
 #pragma once
 
-#include "gpu/buffer.h"
-#include "gpu/compute_pipeline.h"
-#include "gpu/context.h"
-#include "gpu/shader_library.h"
+#include "gpu/context/context.h"
+#include "gpu/memory/buffer.h"
+#include "gpu/pipeline/compute_pipeline.h"
+#include "gpu/pipeline/shader_library.h"
 #include "shaders/shared/passes.h"
 
 #include <vulkan/vulkan.h>

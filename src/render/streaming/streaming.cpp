@@ -2,7 +2,7 @@
 
 #include "core/expect.h"
 #include "core/mapped_file.h"
-#include "gpu/barrier.h"
+#include "gpu/recording/barrier.h"
 
 #include <algorithm>
 #include <bit>

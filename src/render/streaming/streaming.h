@@ -1,12 +1,12 @@
 #pragma once
 
 #include "field/field.h"
-#include "gpu/buffer.h"
-#include "gpu/compute_pipeline.h"
-#include "gpu/context.h"
-#include "gpu/copy_ring.h"
-#include "gpu/recording.h"
-#include "gpu/shader_library.h"
+#include "gpu/context/context.h"
+#include "gpu/memory/buffer.h"
+#include "gpu/memory/copy_ring.h"
+#include "gpu/pipeline/compute_pipeline.h"
+#include "gpu/pipeline/shader_library.h"
+#include "gpu/recording/recording.h"
 #include "render/field/baked_blades.h"
 #include "render/field/blade_states.h"
 #include "render/frame_stats.h"

@@ -1,9 +1,9 @@
 #pragma once
 
-#include "gpu/context.h"
-#include "gpu/graphics_pipeline.h"
-#include "gpu/recording.h"
-#include "gpu/shader_library.h"
+#include "gpu/context/context.h"
+#include "gpu/pipeline/graphics_pipeline.h"
+#include "gpu/pipeline/shader_library.h"
+#include "gpu/recording/recording.h"
 #include "render/cull/field_buffers.h"
 #include "render/target_settings.h"
 

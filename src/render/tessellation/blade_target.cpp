@@ -2,8 +2,8 @@
 
 #include "core/embedded.h"
 #include "core/error.h"
-#include "gpu/format_kind.h"
-#include "gpu/shader_library.h"
+#include "gpu/memory/format_kind.h"
+#include "gpu/pipeline/shader_library.h"
 #include "render/host_shadow_maps.h"
 #include "render/tessellation/blade_pass.h"
 #include "shaders/shared/passes.h"

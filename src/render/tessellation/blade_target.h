@@ -1,7 +1,7 @@
 #pragma once
 
-#include "gpu/context.h"
-#include "gpu/graphics_pipeline.h"
+#include "gpu/context/context.h"
+#include "gpu/pipeline/graphics_pipeline.h"
 
 #include <vulkan/vulkan.h>
 

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "gpu/context.h"
+#include "gpu/context/context.h"
 #include "render/field_renderer.h"
 
 namespace sward::render {

@@ -1,7 +1,7 @@
 #include "core/random.h"
-#include "gpu/buffer.h"
-#include "gpu/readback.h"
-#include "gpu/upload.h"
+#include "gpu/memory/buffer.h"
+#include "gpu/memory/readback.h"
+#include "gpu/memory/upload.h"
 #include "support/gpu/gpu_fixture.h"
 
 #include <gtest/gtest.h>

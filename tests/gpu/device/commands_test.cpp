@@ -1,8 +1,8 @@
-#include "gpu/barrier.h"
-#include "gpu/buffer.h"
-#include "gpu/commands.h"
-#include "gpu/frame_ring.h"
-#include "gpu/readback.h"
+#include "gpu/memory/buffer.h"
+#include "gpu/memory/readback.h"
+#include "gpu/recording/barrier.h"
+#include "gpu/recording/commands.h"
+#include "gpu/recording/frame_ring.h"
 #include "support/gpu/gpu_fixture.h"
 
 #include <gtest/gtest.h>

@@ -1,13 +1,13 @@
 #include "core/error.h"
 #include "core/random.h"
-#include "gpu/barrier.h"
-#include "gpu/buffer.h"
-#include "gpu/commands.h"
-#include "gpu/compute_pipeline.h"
-#include "gpu/readback.h"
-#include "test_shaders.h"
-#include "gpu/upload.h"
+#include "gpu/memory/buffer.h"
+#include "gpu/memory/readback.h"
+#include "gpu/memory/upload.h"
+#include "gpu/pipeline/compute_pipeline.h"
+#include "gpu/recording/barrier.h"
+#include "gpu/recording/commands.h"
 #include "support/gpu/gpu_fixture.h"
+#include "test_shaders.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

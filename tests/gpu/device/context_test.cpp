@@ -1,8 +1,8 @@
-#include "gpu/context.h"
-#include "gpu/features.h"
-#include "gpu/handle.h"
-#include "gpu/readback.h"
-#include "gpu/upload.h"
+#include "gpu/context/context.h"
+#include "gpu/context/handle.h"
+#include "gpu/device/features.h"
+#include "gpu/memory/readback.h"
+#include "gpu/memory/upload.h"
 #include "support/gpu/gpu_fixture.h"
 
 #include <gtest/gtest.h>

@@ -1,7 +1,7 @@
 // The list of devices of a real instance, and the one that is made.
 
 #include "core/error.h"
-#include "gpu/device_choice.h"
+#include "gpu/device/device_choice.h"
 #include "support/gpu/gpu_fixture.h"
 
 #include <gmock/gmock.h>

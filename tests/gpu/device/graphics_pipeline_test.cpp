@@ -1,10 +1,10 @@
-#include "gpu/commands.h"
-#include "gpu/graphics_pipeline.h"
-#include "gpu/image_use.h"
-#include "gpu/readback.h"
-#include "gpu/rendering.h"
-#include "test_shaders.h"
+#include "gpu/memory/image_use.h"
+#include "gpu/memory/readback.h"
+#include "gpu/pipeline/graphics_pipeline.h"
+#include "gpu/recording/commands.h"
+#include "gpu/recording/rendering.h"
 #include "support/gpu/gpu_fixture.h"
+#include "test_shaders.h"
 
 #include <gtest/gtest.h>
 

@@ -1,6 +1,6 @@
 #include "core/error.h"
-#include "gpu/device.h"
-#include "gpu/instance.h"
+#include "gpu/device/device.h"
+#include "gpu/device/instance.h"
 
 #include <gtest/gtest.h>
 

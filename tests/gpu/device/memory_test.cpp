@@ -1,6 +1,6 @@
 #include "core/error.h"
-#include "gpu/buffer.h"
-#include "gpu/memory.h"
+#include "gpu/memory/buffer.h"
+#include "gpu/memory/memory.h"
 #include "support/gpu/gpu_fixture.h"
 
 #include <gmock/gmock.h>

@@ -1,12 +1,12 @@
 // Objects of a device that are made once.
 
-#include "gpu/compute_pipeline.h"
-#include "gpu/graphics_pipeline.h"
-#include "gpu/image_set.h"
-#include "gpu/shared_objects.h"
-#include "test_shaders.h"
-#include "gpu/uniform_sets.h"
+#include "gpu/pipeline/compute_pipeline.h"
+#include "gpu/pipeline/graphics_pipeline.h"
+#include "gpu/pipeline/image_set.h"
+#include "gpu/pipeline/shared_objects.h"
+#include "gpu/pipeline/uniform_sets.h"
 #include "support/gpu/gpu_fixture.h"
+#include "test_shaders.h"
 
 #include <gtest/gtest.h>
 
@@ -74,7 +74,9 @@ TEST_F(SharedObjectsTest, PipelinesOfAnyOtherSettingAreOthers)
         [](auto& settings) { settings.constants = {{.id = 8, .value = 1}}; },
         [&](auto& settings) { settings.setLayouts = {one.get()}; },
         [&](auto& settings) { settings.setLayouts = {two.get()}; },
-        [&](auto& settings) { settings.setLayouts = {one.get(), two.get()}; }};
+        [&](auto& settings) {
+            settings.setLayouts = {one.get(), two.get()};
+        }};
     for (const Compute& change : computeChanges) {
         ComputePipelineSettings settings = square();
         change(settings);

@@ -1,4 +1,4 @@
-#include "gpu/swapchain.h"
+#include "gpu/presentation/swapchain.h"
 
 #include <array>
 #include <cstdlib>
@@ -7,10 +7,10 @@
 #include <stdexcept>
 
 #define GLFW_INCLUDE_VULKAN
-#include "gpu/device.h"
-#include "gpu/frame_ring.h"
-#include "gpu/image_use.h"
-#include "gpu/rendering.h"
+#include "gpu/device/device.h"
+#include "gpu/memory/image_use.h"
+#include "gpu/recording/frame_ring.h"
+#include "gpu/recording/rendering.h"
 #include "virtual_display.h"
 
 #include <GLFW/glfw3.h>

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "gpu/shader_library.h"
+#include "gpu/pipeline/shader_library.h"
 
 namespace sward::test {
 

@@ -1,7 +1,7 @@
-#include "gpu/barrier.h"
-#include "gpu/buffer.h"
-#include "gpu/frame_ring.h"
-#include "gpu/timestamps.h"
+#include "gpu/memory/buffer.h"
+#include "gpu/recording/barrier.h"
+#include "gpu/recording/frame_ring.h"
+#include "gpu/recording/timestamps.h"
 #include "support/gpu/gpu_fixture.h"
 
 #include <gmock/gmock.h>

@@ -1,7 +1,7 @@
-#include "gpu/barrier.h"
-#include "gpu/buffer.h"
-#include "gpu/commands.h"
-#include "gpu/validation_log.h"
+#include "gpu/device/validation_log.h"
+#include "gpu/memory/buffer.h"
+#include "gpu/recording/barrier.h"
+#include "gpu/recording/commands.h"
 #include "support/gpu/gpu_fixture.h"
 
 #include <gmock/gmock.h>

@@ -1,8 +1,8 @@
 // Edits of a running field: FieldRenderer::apply().
 
 #include "core/error.h"
-#include "gpu/frame_ring.h"
-#include "gpu/image_use.h"
+#include "gpu/memory/image_use.h"
+#include "gpu/recording/frame_ring.h"
 #include "picture.h"
 #include "support/fields/edited_meadow.h"
 #include "support/fields/fields.h"

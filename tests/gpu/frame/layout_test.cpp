@@ -1,12 +1,12 @@
 // Sends every struct shared by both languages through a shader.
 
 #include "core/embedded.h"
-#include "gpu/barrier.h"
-#include "gpu/buffer.h"
-#include "gpu/commands.h"
-#include "gpu/compute_pipeline.h"
-#include "gpu/readback.h"
-#include "gpu/shader_library.h"
+#include "gpu/memory/buffer.h"
+#include "gpu/memory/readback.h"
+#include "gpu/pipeline/compute_pipeline.h"
+#include "gpu/pipeline/shader_library.h"
+#include "gpu/recording/barrier.h"
+#include "gpu/recording/commands.h"
 #include "shaders/shared/opaque.h"
 #include "shaders/shared/pages.h"
 #include "shaders/shared/passes.h"

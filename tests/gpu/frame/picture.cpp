@@ -1,8 +1,8 @@
 #include "picture.h"
 
-#include "gpu/commands.h"
-#include "gpu/image_use.h"
-#include "gpu/readback.h"
+#include "gpu/memory/image_use.h"
+#include "gpu/memory/readback.h"
+#include "gpu/recording/commands.h"
 
 #include <algorithm>
 #include <cstdlib>

@@ -1,8 +1,8 @@
 #pragma once
 
 #include "field/field.h"
-#include "gpu/device.h"
-#include "gpu/image.h"
+#include "gpu/device/device.h"
+#include "gpu/memory/image.h"
 #include "render/field_renderer.h"
 
 #include <glm/vec2.hpp>

@@ -2,8 +2,8 @@
 
 #include "core/error.h"
 #include "core/random.h"
-#include "gpu/commands.h"
-#include "gpu/upload.h"
+#include "gpu/memory/upload.h"
+#include "gpu/recording/commands.h"
 #include "picture.h"
 #include "render/camera_presets.h"
 #include "render/cull/field_buffers.h"

@@ -1,6 +1,6 @@
 // A frame has as many rounds as its visible patches may fill.
 
-#include "gpu/upload.h"
+#include "gpu/memory/upload.h"
 #include "render/camera.h"
 #include "render/cull/field_buffers.h"
 #include "render/frame.h"

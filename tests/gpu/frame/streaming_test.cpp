@@ -1,10 +1,10 @@
 // Fields larger than their memory budget: visible blades are loaded gradually.
 
 #include "core/error.h"
-#include "gpu/commands.h"
-#include "gpu/frame_ring.h"
-#include "gpu/image_use.h"
-#include "gpu/readback.h"
+#include "gpu/memory/image_use.h"
+#include "gpu/memory/readback.h"
+#include "gpu/recording/commands.h"
+#include "gpu/recording/frame_ring.h"
 #include "picture.h"
 #include "support/fields/fields.h"
 #include "support/gpu/gpu_fixture.h"

@@ -1,9 +1,9 @@
 #include "update_bench.h"
 
-#include "gpu/barrier.h"
-#include "gpu/commands.h"
-#include "gpu/readback.h"
-#include "gpu/upload.h"
+#include "gpu/memory/readback.h"
+#include "gpu/memory/upload.h"
+#include "gpu/recording/barrier.h"
+#include "gpu/recording/commands.h"
 #include "render/frame_slot.h"
 #include "render/frame_time.h"
 

@@ -2,7 +2,7 @@
 
 #include "core/embedded.h"
 #include "field/field.h"
-#include "gpu/shader_library.h"
+#include "gpu/pipeline/shader_library.h"
 #include "render/cull/field_buffers.h"
 #include "render/cull/update_cull_pass.h"
 #include "render/cull/walk_pass.h"

@@ -5,12 +5,12 @@
 // FieldRenderer draws it, else that many of render::Grass, in one place. Prints one line of JSON:
 // median and 99th percentile in milliseconds of frames with and without an edit, by the clock from
 // the first call of the frame to the device's end, and of apply() or edit() alone.
-#include "gpu/commands.h"
-#include "gpu/device.h"
-#include "gpu/image.h"
-#include "gpu/image_use.h"
-#include "gpu/instance.h"
-#include "gpu/rendering.h"
+#include "gpu/device/device.h"
+#include "gpu/device/instance.h"
+#include "gpu/memory/image.h"
+#include "gpu/memory/image_use.h"
+#include "gpu/recording/commands.h"
+#include "gpu/recording/rendering.h"
 #include "render/field_renderer.h"
 #include "render/grass.h"
 #include "support/fields/edited_meadow.h"

@@ -1,8 +1,8 @@
 // Edits of a host's fields: Grass::edit().
 
 #include "core/error.h"
-#include "gpu/commands.h"
-#include "gpu/frame_ring.h"
+#include "gpu/recording/commands.h"
+#include "gpu/recording/frame_ring.h"
 #include "host_picture.h"
 #include "support/fields/edited_meadow.h"
 

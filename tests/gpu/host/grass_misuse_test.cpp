@@ -1,10 +1,10 @@
 // What a host may do wrong is an Error that names it, and leaves everything as it was.
 
 #include "core/error.h"
-#include "gpu/commands.h"
-#include "gpu/device.h"
-#include "gpu/features.h"
-#include "gpu/host_device.h"
+#include "gpu/context/host_device.h"
+#include "gpu/device/device.h"
+#include "gpu/device/features.h"
+#include "gpu/recording/commands.h"
 #include "host_picture.h"
 #include "render/field_renderer.h"
 
@@ -309,8 +309,14 @@ TEST_F(GrassMisuseTest, AFrameThatIsWrongLeavesTheFrameBefore)
     expectMisuse([&] { begin({.time = notANumber, .settings = settings_}); }, {"time"});
     expectMisuse([&] { begin({.time = 1e12, .settings = settings_}); }, {"time", "8589934592 s"});
     const std::pair<Change, std::vector<std::string>> wrongViews[]{
-        {[](HostView& view) { view.size = {0, 90}; }, {"view 0", "0 x 90"}},
-        {[](HostView& view) { view.size = {90, 100000}; }, {"100000", "32768"}},
+        {[](HostView& view) {
+             view.size = {0, 90};
+         },
+         {"view 0", "0 x 90"}},
+        {[](HostView& view) {
+             view.size = {90, 100000};
+         },
+         {"100000", "32768"}},
         {[](HostView& view) { view.samples = 3; }, {"3 samples"}},
         {[](HostView& view) { view.worldToClip[1][1] = notANumber; }, {"worldToClip", "finite"}},
         {[](HostView& view) { view.worldToClip = glm::dmat4(0.0); }, {"worldToClip", "inverse"}},
@@ -333,8 +339,11 @@ TEST_F(GrassMisuseTest, AFrameThatIsWrongLeavesTheFrameBefore)
     const std::vector<HostCollider> many(shared::maxColliders + 1);
     expectMisuse([&] { begin({.settings = settings_, .colliders = many}); }, {"257", "256"});
     const HostCollider flat{.radius = 0.0};
-    expectMisuse([&] { begin({.settings = settings_, .colliders = {&flat, 1}}); },
-                 {"collider 0", "radius is 0"});
+    expectMisuse(
+        [&] {
+            begin({.settings = settings_, .colliders = {&flat, 1}});
+        },
+        {"collider 0", "radius is 0"});
     const std::vector<HostLamp> lamps(shared::maxLamps + 1);
     expectMisuse([&] { begin({.settings = settings_, .light = {.lamps = lamps}}); },
                  {"17 lamps", "16"});

@@ -1,7 +1,7 @@
 // A host's shadow map on its blades.
 
 #include "core/error.h"
-#include "gpu/commands.h"
+#include "gpu/recording/commands.h"
 #include "host_picture.h"
 #include "shadow_map.h"
 

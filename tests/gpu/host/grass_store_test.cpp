@@ -1,7 +1,7 @@
 // Grass that is stored into a host's picture is the grass that a composite draws over it.
 
 #include "core/error.h"
-#include "gpu/commands.h"
+#include "gpu/recording/commands.h"
 #include "host_picture.h"
 #include "store_canvas.h"
 

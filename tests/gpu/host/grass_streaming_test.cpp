@@ -2,7 +2,7 @@
 
 #include "core/error.h"
 #include "field/write.h"
-#include "gpu/frame_ring.h"
+#include "gpu/recording/frame_ring.h"
 #include "host_picture.h"
 
 #include <glm/ext/matrix_transform.hpp>

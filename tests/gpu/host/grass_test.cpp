@@ -1,6 +1,6 @@
 // Grass in a host's frames: instances, their motion, adding and removing.
 
-#include "gpu/frame_ring.h"
+#include "gpu/recording/frame_ring.h"
 #include "host_picture.h"
 
 #include <glm/geometric.hpp>

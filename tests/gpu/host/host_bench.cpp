@@ -7,14 +7,14 @@
 // plane; Sward processes it like any other. Prints one line of JSON: medians in milliseconds by
 // device timestamps, and by the clock for the CPU and whole frames.
 #include "field/read.h"
-#include "gpu/check.h"
-#include "gpu/commands.h"
-#include "gpu/device.h"
-#include "gpu/frame_ring.h"
-#include "gpu/image.h"
-#include "gpu/image_use.h"
-#include "gpu/rendering.h"
-#include "gpu/timestamps.h"
+#include "gpu/context/check.h"
+#include "gpu/device/device.h"
+#include "gpu/memory/image.h"
+#include "gpu/memory/image_use.h"
+#include "gpu/recording/commands.h"
+#include "gpu/recording/frame_ring.h"
+#include "gpu/recording/rendering.h"
+#include "gpu/recording/timestamps.h"
 #include "render/grass.h"
 
 #include <glm/common.hpp>
@@ -172,8 +172,7 @@ void run(const Options& options)
     const gpu::Instance instance;
     const gpu::Device device(instance);
     const gpu::DeviceContext& context = device.context();
-    const auto mapped =
-        std::make_shared<const field::MappedField>(field::readField(options.field));
+    const auto mapped = std::make_shared<const field::MappedField>(field::readField(options.field));
     render::FieldBudget budget{.bytes = std::uint64_t(options.numbers.at("budget")) << 20,
                                .instances =
                                    static_cast<std::uint32_t>(options.numbers.at("instances")),

@@ -1,8 +1,8 @@
 // Uses a host's own loader, allocator, callbacks and pipeline cache.
 
 #include "core/error.h"
-#include "gpu/commands.h"
-#include "gpu/host_device.h"
+#include "gpu/context/host_device.h"
+#include "gpu/recording/commands.h"
 #include "host_picture.h"
 
 #include <gtest/gtest.h>

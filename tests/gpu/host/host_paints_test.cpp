@@ -3,7 +3,7 @@
 #include "bake/session.h"
 #include "core/diagnostics.h"
 #include "core/progress.h"
-#include "gpu/commands.h"
+#include "gpu/recording/commands.h"
 #include "host_picture.h"
 #include "support/meshes.h"
 #include "unit/bake/bake_settings.h"

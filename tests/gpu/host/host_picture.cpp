@@ -1,9 +1,9 @@
 #include "host_picture.h"
 
-#include "gpu/commands.h"
-#include "gpu/image_use.h"
-#include "gpu/readback.h"
-#include "gpu/rendering.h"
+#include "gpu/memory/image_use.h"
+#include "gpu/memory/readback.h"
+#include "gpu/recording/commands.h"
+#include "gpu/recording/rendering.h"
 
 #include <glm/ext/matrix_transform.hpp>
 

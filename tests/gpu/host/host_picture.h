@@ -1,7 +1,7 @@
 #pragma once
 
-#include "gpu/context.h"
-#include "gpu/image.h"
+#include "gpu/context/context.h"
+#include "gpu/memory/image.h"
 #include "render/grass.h"
 #include "support/fields/fields.h"
 #include "support/gpu/gpu_fixture.h"

@@ -1,11 +1,11 @@
 #include "shadow_map.h"
 
-#include "gpu/barrier.h"
-#include "gpu/buffer.h"
-#include "gpu/check.h"
-#include "gpu/commands.h"
-#include "gpu/image_use.h"
-#include "gpu/rendering.h"
+#include "gpu/context/check.h"
+#include "gpu/memory/buffer.h"
+#include "gpu/memory/image_use.h"
+#include "gpu/recording/barrier.h"
+#include "gpu/recording/commands.h"
+#include "gpu/recording/rendering.h"
 
 #include <glm/ext/matrix_transform.hpp>
 

@@ -1,8 +1,8 @@
 #pragma once
 
-#include "gpu/context.h"
-#include "gpu/handle.h"
-#include "gpu/memory.h"
+#include "gpu/context/context.h"
+#include "gpu/context/handle.h"
+#include "gpu/memory/memory.h"
 #include "render/grass.h"
 
 #include <glm/mat4x4.hpp>

@@ -1,15 +1,15 @@
 #include "store_canvas.h"
 
 #include "core/embedded.h"
-#include "gpu/buffer.h"
-#include "gpu/commands.h"
-#include "gpu/compute_pipeline.h"
-#include "gpu/image_set.h"
-#include "gpu/image_use.h"
-#include "gpu/readback.h"
-#include "gpu/rendering.h"
-#include "gpu/sampler.h"
-#include "gpu/shader_library.h"
+#include "gpu/memory/buffer.h"
+#include "gpu/memory/image_use.h"
+#include "gpu/memory/readback.h"
+#include "gpu/pipeline/compute_pipeline.h"
+#include "gpu/pipeline/image_set.h"
+#include "gpu/pipeline/sampler.h"
+#include "gpu/pipeline/shader_library.h"
+#include "gpu/recording/commands.h"
+#include "gpu/recording/rendering.h"
 
 #include <glm/gtc/packing.hpp>
 
@@ -141,8 +141,8 @@ std::vector<float> nearestOf(const gpu::DeviceContext& context, const gpu::Image
                                          .pushConstantBytes = sizeof(VkDeviceAddress),
                                          .setLayouts = {layout.get()},
                                          .constants = {{.id = 0, .value = isReversed ? 0u : 1u},
-                                                      {.id = 1, .value = first},
-                                                      {.id = 2, .value = end}}});
+                                                       {.id = 1, .value = first},
+                                                       {.id = 2, .value = end}}});
     gpu::submitAndWait(context, [&](VkCommandBuffer buffer) {
         const gpu::Recording commands(context, buffer);
         gpu::transition(buffer, depth, gpu::ImageUse::depthTarget, gpu::ImageUse::sampled);

@@ -1,7 +1,7 @@
 #pragma once
 
-#include "gpu/context.h"
-#include "gpu/image.h"
+#include "gpu/context/context.h"
+#include "gpu/memory/image.h"
 #include "host_picture.h"
 
 #include <glm/vec2.hpp>

@@ -1,7 +1,7 @@
 #pragma once
 
-#include "gpu/device.h"
-#include "gpu/instance.h"
+#include "gpu/device/device.h"
+#include "gpu/device/instance.h"
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
 #include "core/error.h"
-#include "gpu/check.h"
+#include "gpu/context/check.h"
 
 #include <gtest/gtest.h>
 

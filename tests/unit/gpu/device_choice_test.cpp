@@ -1,5 +1,5 @@
 #include "core/error.h"
-#include "gpu/device_choice.h"
+#include "gpu/device/device_choice.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

@@ -1,5 +1,5 @@
 #include "core/random.h"
-#include "gpu/statistics.h"
+#include "gpu/recording/statistics.h"
 
 #include <gtest/gtest.h>
 

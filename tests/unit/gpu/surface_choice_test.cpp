@@ -1,4 +1,4 @@
-#include "gpu/surface_choice.h"
+#include "gpu/presentation/surface_choice.h"
 
 #include <gtest/gtest.h>
 

@@ -1,7 +1,7 @@
 #pragma once
 
-#include "gpu/context.h"
-#include "gpu/statistics.h"
+#include "gpu/context/context.h"
+#include "gpu/recording/statistics.h"
 
 #include <cstdint>
 #include <string>

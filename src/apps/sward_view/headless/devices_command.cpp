@@ -2,9 +2,9 @@
 #include "apps/common/output.h"
 #include "apps/sward_view/commands.h"
 #include "apps/sward_view/graphics.h"
-#include "gpu/device_choice.h"
-#include "gpu/device_report.h"
-#include "gpu/instance.h"
+#include "gpu/device/device_choice.h"
+#include "gpu/device/device_report.h"
+#include "gpu/device/instance.h"
 
 #include <CLI/CLI.hpp>
 

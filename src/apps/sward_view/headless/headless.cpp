@@ -5,8 +5,8 @@
 #include "apps/sward_view/camera_file.h"
 #include "apps/sward_view/graphics.h"
 #include "apps/sward_view/picture_mean.h"
-#include "gpu/image_use.h"
-#include "gpu/readback.h"
+#include "gpu/memory/image_use.h"
+#include "gpu/memory/readback.h"
 #include "render/frame_time.h"
 
 #include <algorithm>

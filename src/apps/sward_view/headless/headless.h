@@ -6,11 +6,11 @@
 #include "apps/sward_view/headless/stats_json.h"
 #include "apps/sward_view/png.h"
 #include "field/read.h"
-#include "gpu/device.h"
-#include "gpu/frame_ring.h"
-#include "gpu/image.h"
-#include "gpu/instance.h"
-#include "gpu/timestamps.h"
+#include "gpu/device/device.h"
+#include "gpu/device/instance.h"
+#include "gpu/memory/image.h"
+#include "gpu/recording/frame_ring.h"
+#include "gpu/recording/timestamps.h"
 #include "render/field_renderer.h"
 
 #include <glm/vec2.hpp>

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "gpu/statistics.h"
+#include "gpu/recording/statistics.h"
 #include "render/frame_settings.h"
 
 #include <glm/vec2.hpp>

@@ -1,9 +1,9 @@
 #include "apps/sward_view/interface/interface.h"
 
 #include "core/srgb.h"
-#include "gpu/check.h"
-#include "gpu/commands.h"
-#include "gpu/debug.h"
+#include "gpu/context/check.h"
+#include "gpu/context/debug.h"
+#include "gpu/recording/commands.h"
 
 #define GLFW_INCLUDE_NONE
 #include <GLFW/glfw3.h>

@@ -1,10 +1,10 @@
 #pragma once
 
 #include "apps/sward_view/interface/style.h"
-#include "gpu/device.h"
-#include "gpu/handle.h"
-#include "gpu/instance.h"
-#include "gpu/swapchain.h"
+#include "gpu/context/handle.h"
+#include "gpu/device/device.h"
+#include "gpu/device/instance.h"
+#include "gpu/presentation/swapchain.h"
 
 #include <vulkan/vulkan.h>
 

@@ -1,7 +1,7 @@
 #include "apps/sward_view/window/capture.h"
 
 #include "core/error.h"
-#include "gpu/readback.h"
+#include "gpu/memory/readback.h"
 
 #include <fmt/core.h>
 

@@ -3,8 +3,8 @@
 #include "apps/sward_view/frame_names.h"
 #include "apps/sward_view/png.h"
 #include "apps/sward_view/window/video_encoder.h"
-#include "gpu/context.h"
-#include "gpu/image.h"
+#include "gpu/context/context.h"
+#include "gpu/memory/image.h"
 
 #include <cstdint>
 #include <filesystem>

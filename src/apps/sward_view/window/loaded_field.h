@@ -3,7 +3,7 @@
 #include "apps/sward_view/shader_sources.h"
 #include "apps/sward_view/shown_field.h"
 #include "apps/sward_view/window/navigation.h"
-#include "gpu/device.h"
+#include "gpu/device/device.h"
 #include "render/field_renderer.h"
 #include "render/frame_settings.h"
 

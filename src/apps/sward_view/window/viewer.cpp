@@ -4,7 +4,7 @@
 #include "apps/sward_view/graphics.h"
 #include "apps/sward_view/interface/overlay.h"
 #include "core/error.h"
-#include "gpu/image_use.h"
+#include "gpu/memory/image_use.h"
 #include "shaders/shared/physics.h"
 
 #include <fmt/core.h>

@@ -1,7 +1,7 @@
 // What a slow device draws while nothing changes: a fine picture, tile by tile, then nothing.
 #include "apps/sward_view/window/viewer.h"
 #include "core/error.h"
-#include "gpu/image_use.h"
+#include "gpu/memory/image_use.h"
 #include "render/settings/settings_text.h"
 
 #include <utility>

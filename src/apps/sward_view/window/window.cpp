@@ -1,7 +1,7 @@
 #include "apps/sward_view/window/window.h"
 
 #include "core/error.h"
-#include "gpu/check.h"
+#include "gpu/context/check.h"
 
 // window.h includes Vulkan, so GLFW declares its Vulkan functions; omit OpenGL.
 #define GLFW_INCLUDE_NONE
@@ -127,7 +127,10 @@ struct Window::Parts {
         }
         Library(const Library&) = delete;
         Library& operator=(const Library&) = delete;
-        ~Library() { glfwTerminate(); }
+        ~Library()
+        {
+            glfwTerminate();
+        }
     };
 
     struct DestroyWindow {
@@ -146,9 +149,18 @@ struct Window::Parts {
         return *static_cast<Parts*>(glfwGetWindowUserPointer(window));
     }
 
-    bool isDown(int key) const { return glfwGetKey(window.get(), key) == GLFW_PRESS; }
-    bool isHeld(int button) const { return glfwGetMouseButton(window.get(), button) == GLFW_PRESS; }
-    bool shift() const { return isDown(GLFW_KEY_LEFT_SHIFT) || isDown(GLFW_KEY_RIGHT_SHIFT); }
+    bool isDown(int key) const
+    {
+        return glfwGetKey(window.get(), key) == GLFW_PRESS;
+    }
+    bool isHeld(int button) const
+    {
+        return glfwGetMouseButton(window.get(), button) == GLFW_PRESS;
+    }
+    bool shift() const
+    {
+        return isDown(GLFW_KEY_LEFT_SHIFT) || isDown(GLFW_KEY_RIGHT_SHIFT);
+    }
 
     static void onCursor(GLFWwindow* window, double x, double y);
     static void onButton(GLFWwindow* window, int button, int action, int modifiers);
@@ -159,7 +171,10 @@ struct Window::Parts {
     {
         of(window).contentScale = std::max(x, y);
     }
-    static void onRefresh(GLFWwindow* window) { of(window).input.exposed = true; }
+    static void onRefresh(GLFWwindow* window)
+    {
+        of(window).input.exposed = true;
+    }
 };
 
 void Window::Parts::onCursor(GLFWwindow* window, double x, double y)
@@ -209,8 +224,7 @@ void Window::Parts::onKey(GLFWwindow* window, int key, int code, int action, int
     KeyPress press{Key::bookmark, 0, (modifiers & GLFW_MOD_CONTROL) != 0,
                    (modifiers & GLFW_MOD_SHIFT) != 0};
     if (press.control)
-        if (const std::optional<Key> found =
-                controlKeyOf(key, code, press.shift)) {
+        if (const std::optional<Key> found = controlKeyOf(key, code, press.shift)) {
             press.key = *found;
             of(window).input.keys.push_back(press);
             return;

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "apps/sward_view/window/input.h"
-#include "gpu/handle.h"
+#include "gpu/context/handle.h"
 
 #include <glm/vec2.hpp>
 #include <vulkan/vulkan.h>
