@@ -63,7 +63,7 @@ std::vector<FieldRenderer::BladeRecord> readBlades(const gpu::DeviceContext& con
                                                    const field::FieldView& field,
                                                    std::span<const std::uint32_t> places)
 {
-    gpu::check(vkDeviceWaitIdle(context.device), "vkDeviceWaitIdle");
+    gpu::check(context.vk.DeviceWaitIdle(context.device), "vkDeviceWaitIdle");
     const auto turns = gpu::readBufferAs<std::uint32_t>(context, buffers.states());
     std::vector<float> etas(turns.size(), 0.0f);
     if (buffers.hasEtas())

@@ -164,7 +164,7 @@ void FieldRenderer::Parts::fit(glm::uvec2 size)
     if (size == pictureSize)
         return;
     if (pictureSize != glm::uvec2(0))
-        gpu::check(vkDeviceWaitIdle(context.device), "vkDeviceWaitIdle");
+        gpu::check(context.vk.DeviceWaitIdle(context.device), "vkDeviceWaitIdle");
     pictureSize = size;
     hasPyramid = false;
     if (raster) {
@@ -193,12 +193,12 @@ void FieldRenderer::Parts::stream(shared::Frame& frame, const FrameSettings& wan
     frame.view.lodThreshold = seen.lodThreshold;
 }
 
-void FieldRenderer::Parts::recordStreaming(VkCommandBuffer commands, std::uint32_t slot,
+void FieldRenderer::Parts::recordStreaming(const gpu::Recording& commands, std::uint32_t slot,
                                            double time) const
 {
     gpu::memoryBarrier(commands, gpu::fillAccess, gpu::fillAccess);
     const BladeStates* const states = &blades.buffers().ownStates();
-    streaming->record({context, commands}, slot, settledTick(time), {&states, 1});
+    streaming->record(commands, slot, settledTick(time), {&states, 1});
     gpu::memoryBarrier(commands, gpu::fillAccess, gpu::dispatchAccess);
 }
 
@@ -262,12 +262,13 @@ FramePlace FieldRenderer::Parts::fillCullView(const shared::Frame& frame,
     return slots[slot].cullView.place();
 }
 
-void FieldRenderer::record(VkCommandBuffer commands, const Target& target, const Camera& camera,
+void FieldRenderer::record(VkCommandBuffer buffer, const Target& target, const Camera& camera,
                            const FrameSettings& settings, double time, std::uint32_t slot,
                            gpu::Timestamps* timestamps, glm::vec2 jitter)
 {
     Parts& parts = *parts_;
-    parts.requireFrame(commands, settings, time, slot);
+    parts.requireFrame(buffer, settings, time, slot);
+    const gpu::Recording commands(parts.context, buffer);
     requireUsage(target.image != VK_NULL_HANDLE && target.view != VK_NULL_HANDLE,
                  "FieldRenderer::Target: its image or its view is null");
     const gpu::LabelScope label(parts.context, commands, "field");
@@ -339,11 +340,12 @@ void FieldRenderer::record(VkCommandBuffer commands, const Target& target, const
     }
 }
 
-void FieldRenderer::recordUpdateOnly(VkCommandBuffer commands, const FrameSettings& settings,
+void FieldRenderer::recordUpdateOnly(VkCommandBuffer buffer, const FrameSettings& settings,
                                      double time, std::uint32_t slot)
 {
     Parts& parts = *parts_;
-    parts.requireFrame(commands, settings, time, slot);
+    parts.requireFrame(buffer, settings, time, slot);
+    const gpu::Recording commands(parts.context, buffer);
     const gpu::LabelScope label(parts.context, commands, "field/update only");
     parts.writeFrame(frameOf(parts.shape, ViewMatrices{}, settings, time, parts.settings.samples),
                      settings, time, slot);
@@ -351,11 +353,12 @@ void FieldRenderer::recordUpdateOnly(VkCommandBuffer commands, const FrameSettin
     parts.blades.moveAll(commands, parts.slots[slot].frame.place());
 }
 
-bool FieldRenderer::recordStreaming(VkCommandBuffer commands, glm::uvec2 size, const Camera& camera,
+bool FieldRenderer::recordStreaming(VkCommandBuffer buffer, glm::uvec2 size, const Camera& camera,
                                     const FrameSettings& settings, double time, std::uint32_t slot)
 {
     Parts& parts = *parts_;
-    parts.requireFrame(commands, settings, time, slot);
+    parts.requireFrame(buffer, settings, time, slot);
+    const gpu::Recording commands(parts.context, buffer);
     if (!parts.streaming)
         return true;
     const gpu::LabelScope label(parts.context, commands, "field/streaming");

@@ -34,11 +34,11 @@ FrameSlot::FrameSlot(const gpu::DeviceContext& context, const gpu::UniformSetLay
 {
 }
 
-void FrameSlot::recordCounts(VkCommandBuffer commands, const gpu::Buffer& drawArguments) const
+void FrameSlot::recordCounts(const gpu::Recording& commands, const gpu::Buffer& drawArguments) const
 {
     gpu::memoryBarrier(commands, gpu::computeAccess, gpu::anyAccess);
     const VkBufferCopy all{0, 0, sizeof(shared::DrawArguments)};
-    vkCmdCopyBuffer(commands, drawArguments.get(), draw.get(), 1, &all);
+    commands.vk->CmdCopyBuffer(commands, drawArguments.get(), draw.get(), 1, &all);
     gpu::memoryBarrier(commands, gpu::transferAccess, gpu::hostAccess);
 }
 

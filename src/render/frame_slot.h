@@ -3,6 +3,7 @@
 #include "gpu/context/context.h"
 #include "gpu/memory/buffer.h"
 #include "gpu/pipeline/uniform_sets.h"
+#include "gpu/recording/recording.h"
 #include "render/field/frame_tables.h"
 #include "render/frame_place.h"
 #include "render/frame_settings.h"
@@ -42,7 +43,7 @@ struct FrameSlot {
     std::uint32_t blades = 0; ///< of the field in the frame recorded last
 
     /// Copies the counts of the update, recorded before, to the memory that counts() reads.
-    void recordCounts(VkCommandBuffer commands, const gpu::Buffer& drawArguments) const;
+    void recordCounts(const gpu::Recording& commands, const gpu::Buffer& drawArguments) const;
 
     /// Statistics of these blades, `resident` of them in memory, for the slot's completed frame.
     FrameStats counts(std::uint64_t resident) const;

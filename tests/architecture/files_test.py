@@ -12,7 +12,7 @@ ROOT = Path(__file__).resolve().parents[2]
 SHADERS = (".comp", ".vert", ".tesc", ".tese", ".frag")
 SOURCES = (".cpp", ".h", ".py", ".cmake") + SHADERS
 
-LONGEST_SOURCE = 450
+LONGEST_SOURCE = 600
 LONGEST_HEADER = 120
 LARGEST_MEDIAN = 199
 

@@ -217,6 +217,30 @@ class IncludesObeyTheTable(unittest.TestCase):
             self.assertEqual(words, [], f"{file.name} knows grass")
 
 
+class VulkanIsCalledInOneWay(unittest.TestCase):
+    """Passes call Vulkan by gpu::Recording and DeviceContext::vk, so that a host may bring its own loader."""
+
+    CALL = re.compile(r"(?<![\w\"])vk[A-Z]\w*\(")
+    # What a frame of a host may reach. A program of ours makes instances, devices and swapchains by the linked loader.
+    FOLDERS = ("src/render", "src/gpu/context", "src/gpu/recording", "src/gpu/pipeline", "src/gpu/memory")
+    # Asks the physical device, which has no functions of a device.
+    QUESTIONS = re.compile(r"vkGetPhysicalDevice\w+\($")
+
+    def calls_in(self, text):
+        code = re.sub(r"//[^\n]*", "", text)
+        return [call for call in self.CALL.findall(code) if not self.QUESTIONS.match(call)]
+
+    def test_no_pass_calls_the_linked_loader(self):
+        for folder in self.FOLDERS:
+            for file in sorted((ROOT / folder).rglob("*.*")):
+                with self.subTest(file=file.relative_to(ROOT).as_posix()):
+                    self.assertEqual(self.calls_in(file.read_text(encoding="utf-8")), [])
+
+    def test_a_call_is_recognised(self):
+        self.assertEqual(self.calls_in("    vkCmdDispatch(commands, 1, 1, 1);"), ["vkCmdDispatch("])
+        self.assertEqual(self.calls_in('check(context.vk.WaitForFences(a), "vkWaitForFences"); // vkCmdDraw()'), [])
+
+
 class PlantedIncludesAreCaught(unittest.TestCase):
     """The checker against a small house with known offences."""
 

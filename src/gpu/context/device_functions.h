@@ -27,7 +27,12 @@ namespace sward::gpu {
     each(CreateQueryPool) each(DestroyQueryPool)                                                   \
     each(CmdBindPipeline) each(CmdBindDescriptorSets) each(CmdPushConstants)                       \
     each(CmdDispatch) each(CmdDispatchIndirect) each(CmdDraw) each(CmdDrawIndirect)                \
-    each(CmdCopyBuffer) each(CmdFillBuffer) each(CmdUpdateBuffer) each(CmdPipelineBarrier2)
+    each(CmdDrawIndexed) each(CmdDrawIndexedIndirectCount) each(CmdBindIndexBuffer)                \
+    each(CmdBeginRendering) each(CmdEndRendering) each(CmdSetViewport) each(CmdSetScissor)         \
+    each(CmdCopyBuffer) each(CmdFillBuffer) each(CmdUpdateBuffer) each(CmdCopyImage)               \
+    each(CmdCopyImageToBuffer) each(CmdCopyBufferToImage) each(CmdBlitImage)                         \
+    each(CmdResetQueryPool) each(CmdWriteTimestamp2) each(GetQueryPoolResults)                     \
+    each(ResetFences) each(WaitForFences) each(CmdPipelineBarrier2) each(DeviceWaitIdle)
 // clang-format on
 
 /// The functions of one device.

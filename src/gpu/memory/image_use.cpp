@@ -46,7 +46,7 @@ State stateOf(ImageUse use)
     return {VK_IMAGE_LAYOUT_UNDEFINED, anyAccess};
 }
 
-void record(VkCommandBuffer commands, VkImage image, const VkImageSubresourceRange& range,
+void record(const Recording& commands, VkImage image, const VkImageSubresourceRange& range,
             ImageUse before, ImageUse after)
 {
     const State from = stateOf(before);
@@ -67,7 +67,7 @@ void record(VkCommandBuffer commands, VkImage image, const VkImageSubresourceRan
     dependency.sType = VK_STRUCTURE_TYPE_DEPENDENCY_INFO;
     dependency.imageMemoryBarrierCount = 1;
     dependency.pImageMemoryBarriers = &barrier;
-    vkCmdPipelineBarrier2(commands, &dependency);
+    commands.vk->CmdPipelineBarrier2(commands, &dependency);
 }
 
 } // namespace
@@ -77,18 +77,18 @@ VkImageLayout layoutOf(ImageUse use)
     return stateOf(use).layout;
 }
 
-void transition(VkCommandBuffer commands, VkImage image, VkImageAspectFlags aspect, ImageUse before,
-                ImageUse after)
+void transition(const Recording& commands, VkImage image, VkImageAspectFlags aspect,
+                ImageUse before, ImageUse after)
 {
     record(commands, image, {aspect, 0, VK_REMAINING_MIP_LEVELS, 0, 1}, before, after);
 }
 
-void transition(VkCommandBuffer commands, const Image& image, ImageUse before, ImageUse after)
+void transition(const Recording& commands, const Image& image, ImageUse before, ImageUse after)
 {
     transition(commands, image.get(), image.aspect(), before, after);
 }
 
-void transitionMip(VkCommandBuffer commands, const Image& image, std::uint32_t level,
+void transitionMip(const Recording& commands, const Image& image, std::uint32_t level,
                    ImageUse before, ImageUse after)
 {
     record(commands, image.get(), {image.aspect(), level, 1, 0, 1}, before, after);

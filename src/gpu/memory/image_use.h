@@ -1,6 +1,7 @@
 #pragma once
 
 #include "gpu/memory/image.h"
+#include "gpu/recording/recording.h"
 
 #include <vulkan/vulkan.h>
 
@@ -25,14 +26,14 @@ VkImageLayout layoutOf(ImageUse use);
 
 /// Transitions all levels of an image between uses. Waits for the former use; makes its writes
 /// visible to the latter.
-void transition(VkCommandBuffer commands, VkImage image, VkImageAspectFlags aspect, ImageUse before,
-                ImageUse after);
+void transition(const Recording& commands, VkImage image, VkImageAspectFlags aspect,
+                ImageUse before, ImageUse after);
 
 /// The same for an Image.
-void transition(VkCommandBuffer commands, const Image& image, ImageUse before, ImageUse after);
+void transition(const Recording& commands, const Image& image, ImageUse before, ImageUse after);
 
 /// The same for one mip level.
-void transitionMip(VkCommandBuffer commands, const Image& image, std::uint32_t level,
+void transitionMip(const Recording& commands, const Image& image, std::uint32_t level,
                    ImageUse before, ImageUse after);
 
 } // namespace sward::gpu

@@ -36,7 +36,7 @@ std::vector<std::byte> readBuffer(const DeviceContext& context, const Buffer& so
         submitAndWait(context, [&](VkCommandBuffer commands) {
             anythingToTransfer(commands);
             const VkBufferCopy region{offset + done, 0, size};
-            vkCmdCopyBuffer(commands, source.get(), staging.get(), 1, &region);
+            context.vk.CmdCopyBuffer(commands, source.get(), staging.get(), 1, &region);
             anythingToHost(commands);
         });
         std::memcpy(result.data() + done, staging.mapped().data(), size);
@@ -62,8 +62,9 @@ std::vector<std::byte> readImage(const DeviceContext& context, const Image& sour
         VkBufferImageCopy region{};
         region.imageSubresource = {source.aspect(), level, 0, 1};
         region.imageExtent = {extent.width, extent.height, 1};
-        vkCmdCopyImageToBuffer(commands, source.get(), VK_IMAGE_LAYOUT_TRANSFER_SRC_OPTIMAL,
-                               staging.get(), 1, &region);
+        context.vk.CmdCopyImageToBuffer(commands, source.get(),
+                                        VK_IMAGE_LAYOUT_TRANSFER_SRC_OPTIMAL, staging.get(), 1,
+                                        &region);
         transitionMip(commands, source, level, ImageUse::transferSource, use);
         anythingToHost(commands);
     });

@@ -49,7 +49,7 @@ Uploader::~Uploader()
     // Staging memory must outlive the device's copies. A lost device copies nothing.
     for (const Half& half : halves_) {
         VkFence done = half.done.get();
-        vkWaitForFences(context_.device, 1, &done, VK_TRUE, UINT64_MAX);
+        context_.vk.WaitForFences(context_.device, 1, &done, VK_TRUE, UINT64_MAX);
     }
 }
 
@@ -70,7 +70,7 @@ void Uploader::toBuffer(const Buffer& target, std::span<const std::byte> bytes, 
         std::memcpy(half.staging.mapped().data() + half.used, bytes.data(), size);
 
         const VkBufferCopy region{half.used, offset, size};
-        vkCmdCopyBuffer(half.commands, half.staging.get(), target.get(), 1, &region);
+        context_.vk.CmdCopyBuffer(half.commands, half.staging.get(), target.get(), 1, &region);
         half.used += alignUp(size);
         offset += size;
         bytes = bytes.subspan(size);
@@ -99,8 +99,8 @@ void Uploader::toImage(const Image& target, std::span<const std::byte> pixels)
         region.imageSubresource = {target.aspect(), 0, 0, 1};
         region.imageOffset = {0, static_cast<std::int32_t>(row), 0};
         region.imageExtent = {extent.width, rows, 1};
-        vkCmdCopyBufferToImage(half.commands, half.staging.get(), target.get(),
-                               VK_IMAGE_LAYOUT_TRANSFER_DST_OPTIMAL, 1, &region);
+        context_.vk.CmdCopyBufferToImage(half.commands, half.staging.get(), target.get(),
+                                         VK_IMAGE_LAYOUT_TRANSFER_DST_OPTIMAL, 1, &region);
         half.used += alignUp(rows * rowBytes);
         row += rows;
     }
@@ -128,8 +128,9 @@ void Uploader::makeMips(const Image& target)
         region.srcOffsets[1] = farCorner(target.extent(level - 1));
         region.dstSubresource = {target.aspect(), level, 0, 1};
         region.dstOffsets[1] = farCorner(target.extent(level));
-        vkCmdBlitImage(commands, target.get(), VK_IMAGE_LAYOUT_TRANSFER_SRC_OPTIMAL, target.get(),
-                       VK_IMAGE_LAYOUT_TRANSFER_DST_OPTIMAL, 1, &region, VK_FILTER_LINEAR);
+        context_.vk.CmdBlitImage(commands, target.get(), VK_IMAGE_LAYOUT_TRANSFER_SRC_OPTIMAL,
+                                 target.get(), VK_IMAGE_LAYOUT_TRANSFER_DST_OPTIMAL, 1, &region,
+                                 VK_FILTER_LINEAR);
         transitionMip(commands, target, level - 1, ImageUse::transferSource, ImageUse::sampled);
     }
     transitionMip(commands, target, target.mips() - 1, ImageUse::transferTarget, ImageUse::sampled);
@@ -167,7 +168,7 @@ void Uploader::flush()
     // Make the copies visible to all later submissions.
     memoryBarrier(half.commands, transferAccess, anyAccess);
     VkFence done = half.done.get();
-    check(vkResetFences(context_.device, 1, &done), "vkResetFences");
+    check(context_.vk.ResetFences(context_.device, 1, &done), "vkResetFences");
     endAndSubmit(context_, half.commands, done);
     half.isRecording = false;
     current_ = 1 - current_;

@@ -74,8 +74,8 @@ Semaphore createSemaphore(const DeviceContext& context, const std::string& name)
 
 void wait(const DeviceContext& context, VkFence fence)
 {
-    check(vkWaitForFences(context.device, 1, &fence, VK_TRUE,
-                          std::numeric_limits<std::uint64_t>::max()),
+    check(context.vk.WaitForFences(context.device, 1, &fence, VK_TRUE,
+                                   std::numeric_limits<std::uint64_t>::max()),
           "vkWaitForFences");
 }
 

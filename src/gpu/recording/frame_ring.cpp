@@ -23,7 +23,7 @@ FrameRing::~FrameRing()
     // Command buffers must outlive their execution. A lost device executes nothing.
     for (const Slot& slot : slots_) {
         VkFence done = slot.done.get();
-        vkWaitForFences(context_.device, 1, &done, VK_TRUE, UINT64_MAX);
+        context_.vk.WaitForFences(context_.device, 1, &done, VK_TRUE, UINT64_MAX);
     }
 }
 
@@ -43,7 +43,7 @@ void FrameRing::submit(const Frame& frame, std::span<const VkSemaphoreSubmitInfo
     // Reset the fence just before the submission that signals it: then no wait blocks on a frame
     // that was begun and never submitted.
     VkFence done = slots_[frame.slot].done.get();
-    check(vkResetFences(context_.device, 1, &done), "vkResetFences");
+    check(context_.vk.ResetFences(context_.device, 1, &done), "vkResetFences");
     endAndSubmit(context_, frame.commands, done, waits, signals);
     next_ = (next_ + 1) % slots();
 }

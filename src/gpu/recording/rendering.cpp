@@ -46,17 +46,17 @@ VkRenderingAttachmentInfo describe(const DepthAttachment& depth)
 
 } // namespace
 
-void setArea(VkCommandBuffer commands, VkExtent2D extent)
+void setArea(const Recording& commands, VkExtent2D extent)
 {
     const VkViewport viewport{
         0.0f, 0.0f, static_cast<float>(extent.width), static_cast<float>(extent.height),
         0.0f, 1.0f};
     const VkRect2D scissor{{0, 0}, extent};
-    vkCmdSetViewport(commands, 0, 1, &viewport);
-    vkCmdSetScissor(commands, 0, 1, &scissor);
+    commands.vk->CmdSetViewport(commands, 0, 1, &viewport);
+    commands.vk->CmdSetScissor(commands, 0, 1, &scissor);
 }
 
-RenderingScope::RenderingScope(VkCommandBuffer commands, VkExtent2D extent,
+RenderingScope::RenderingScope(const Recording& commands, VkExtent2D extent,
                                std::span<const ColorAttachment> colors,
                                const std::optional<DepthAttachment>& depth)
     : commands_(commands)
@@ -75,13 +75,13 @@ RenderingScope::RenderingScope(VkCommandBuffer commands, VkExtent2D extent,
     rendering.colorAttachmentCount = static_cast<std::uint32_t>(colors.size());
     rendering.pColorAttachments = colorAttachments.data();
     rendering.pDepthAttachment = depth ? &depthAttachment : nullptr;
-    vkCmdBeginRendering(commands, &rendering);
+    commands.vk->CmdBeginRendering(commands, &rendering);
     setArea(commands, extent);
 }
 
 RenderingScope::~RenderingScope()
 {
-    vkCmdEndRendering(commands_);
+    commands_.vk->CmdEndRendering(commands_);
 }
 
 } // namespace sward::gpu

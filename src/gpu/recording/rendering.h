@@ -1,5 +1,7 @@
 #pragma once
 
+#include "gpu/recording/recording.h"
+
 #include <vulkan/vulkan.h>
 
 #include <array>
@@ -29,13 +31,13 @@ struct DepthAttachment {
 constexpr std::size_t maxColorAttachments = 4;
 
 /// Sets viewport and scissor to the whole extent, y downwards, depth from 0 to 1.
-void setArea(VkCommandBuffer commands, VkExtent2D extent);
+void setArea(const Recording& commands, VkExtent2D extent);
 
 /// Dynamic rendering into images during its lifetime. Begins with setArea().
 class RenderingScope {
 public:
     /// At most maxColorAttachments, each at least as large as `extent`.
-    RenderingScope(VkCommandBuffer commands, VkExtent2D extent,
+    RenderingScope(const Recording& commands, VkExtent2D extent,
                    std::span<const ColorAttachment> colors,
                    const std::optional<DepthAttachment>& depth = std::nullopt);
     RenderingScope(const RenderingScope&) = delete;
@@ -43,7 +45,7 @@ public:
     ~RenderingScope();
 
 private:
-    VkCommandBuffer commands_;
+    Recording commands_;
 };
 
 } // namespace sward::gpu

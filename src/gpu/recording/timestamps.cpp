@@ -47,7 +47,8 @@ void Timestamps::beginFrame(VkCommandBuffer commands, std::uint32_t slot)
     collectSlot(slot);
     slot_ = slot;
     if (queries_)
-        vkCmdResetQueryPool(commands, queries_.get(), firstQuery(slot), settings_.scopes * 2);
+        context_.vk.CmdResetQueryPool(commands, queries_.get(), firstQuery(slot),
+                                      settings_.scopes * 2);
 }
 
 std::uint32_t Timestamps::begin(VkCommandBuffer commands, std::string_view name)
@@ -57,16 +58,16 @@ std::uint32_t Timestamps::begin(VkCommandBuffer commands, std::string_view name)
         return notMeasured;
     const auto scope = static_cast<std::uint32_t>(names.size());
     names.emplace_back(name);
-    vkCmdWriteTimestamp2(commands, VK_PIPELINE_STAGE_2_ALL_COMMANDS_BIT, queries_.get(),
-                         firstQuery(slot_) + 2 * scope);
+    context_.vk.CmdWriteTimestamp2(commands, VK_PIPELINE_STAGE_2_ALL_COMMANDS_BIT, queries_.get(),
+                                   firstQuery(slot_) + 2 * scope);
     return scope;
 }
 
 void Timestamps::end(VkCommandBuffer commands, std::uint32_t scope)
 {
     if (scope != notMeasured)
-        vkCmdWriteTimestamp2(commands, VK_PIPELINE_STAGE_2_ALL_COMMANDS_BIT, queries_.get(),
-                             firstQuery(slot_) + 2 * scope + 1);
+        context_.vk.CmdWriteTimestamp2(commands, VK_PIPELINE_STAGE_2_ALL_COMMANDS_BIT,
+                                       queries_.get(), firstQuery(slot_) + 2 * scope + 1);
 }
 
 void Timestamps::collect()
@@ -106,10 +107,10 @@ void Timestamps::collectSlot(std::uint32_t slot)
     for (std::uint32_t scope = 0; scope < names.size(); ++scope) {
         // Without a result the scope is not measured; waiting for one could block forever.
         std::array<Query, 2> queries{};
-        const VkResult result =
-            vkGetQueryPoolResults(context_.device, queries_.get(), firstQuery(slot) + 2 * scope, 2,
-                                  sizeof queries, queries.data(), sizeof(Query),
-                                  VK_QUERY_RESULT_64_BIT | VK_QUERY_RESULT_WITH_AVAILABILITY_BIT);
+        const VkResult result = context_.vk.GetQueryPoolResults(
+            context_.device, queries_.get(), firstQuery(slot) + 2 * scope, 2, sizeof queries,
+            queries.data(), sizeof(Query),
+            VK_QUERY_RESULT_64_BIT | VK_QUERY_RESULT_WITH_AVAILABILITY_BIT);
         if (result == VK_NOT_READY)
             continue;
         check(result, "vkGetQueryPoolResults");

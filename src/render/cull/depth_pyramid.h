@@ -3,6 +3,7 @@
 #include "gpu/context/context.h"
 #include "gpu/memory/image.h"
 #include "gpu/pipeline/shader_library.h"
+#include "gpu/recording/recording.h"
 #include "render/cull/pyramid_pass.h"
 #include "shaders/shared/frame.h"
 
@@ -38,7 +39,7 @@ public:
     void describe(shared::Frame& frame) const { frame.pyramid = cells_.layout; }
 
     /// Fills it. Needs barriers from depth writes before, and to compute shaders after.
-    void record(VkCommandBuffer commands, VkDeviceAddress frame) const
+    void record(const gpu::Recording& commands, VkDeviceAddress frame) const
     {
         pass_.record(commands, cells_, frame);
     }

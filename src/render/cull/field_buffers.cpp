@@ -119,11 +119,12 @@ void FieldBuffers::describe(shared::Frame& frame) const
     frame.cullResults = cullResults_.address();
 }
 
-void FieldBuffers::clearCullResults(VkCommandBuffer commands) const
+void FieldBuffers::clearCullResults(const gpu::Recording& commands) const
 {
     // Blades that the walk does not reach are culled with their patch.
     if (cullResults_.address() != 0)
-        vkCmdFillBuffer(commands, cullResults_.get(), 0, VK_WHOLE_SIZE, shared::cullResultPatch);
+        commands.vk->CmdFillBuffer(commands, cullResults_.get(), 0, VK_WHOLE_SIZE,
+                                   shared::cullResultPatch);
 }
 
 std::uint32_t FieldBuffers::roundCount(const shared::Frame& cullView, std::uint64_t resident) const

@@ -6,6 +6,7 @@
 #include "gpu/context/context.h"
 #include "gpu/memory/buffer.h"
 #include "gpu/memory/buffer_upload.h"
+#include "gpu/recording/recording.h"
 #include "render/cull/visible_patch_bound.h"
 #include "render/field/baked_blades.h"
 #include "render/field/blade_states.h"
@@ -56,8 +57,11 @@ public:
     void describe(shared::Frame& frame) const;
 
     /// Puts every blade at rest, with `time` [s] as the time of its last update.
-    void rest(VkCommandBuffer commands, std::uint32_t tick) const { states_.rest(commands, tick); }
-    void settle(VkCommandBuffer commands, std::uint32_t tick) const
+    void rest(const gpu::Recording& commands, std::uint32_t tick) const
+    {
+        states_.rest(commands, tick);
+    }
+    void settle(const gpu::Recording& commands, std::uint32_t tick) const
     {
         states_.settle(commands, tick);
     }
@@ -65,13 +69,13 @@ public:
     /// See BladeStates.
     void keepEtas(const gpu::DeviceContext& context) { states_.keepEtas(context); }
     bool hasEtas() const { return states_.hasEtas(); }
-    void clearEtas(VkCommandBuffer commands) const { states_.clearEtas(commands); }
+    void clearEtas(const gpu::Recording& commands) const { states_.clearEtas(commands); }
 
     /// Clears the list of visible blades, the walk's lists, and the counts.
-    void clearCounts(VkCommandBuffer commands) const { list_.clear(commands); }
+    void clearCounts(const gpu::Recording& commands) const { list_.clear(commands); }
 
     /// Resets the cull results of the frame before.
-    void clearCullResults(VkCommandBuffer commands) const;
+    void clearCullResults(const gpu::Recording& commands) const;
 
     const BakedBlades& baked() const { return baked_; }
     const VisibleBlades& list() const { return list_; }

@@ -53,7 +53,7 @@ void MovingBlades::expectColliders()
     hasNewEtas_ = true;
 }
 
-void MovingBlades::begin(VkCommandBuffer commands, double time, std::uint32_t slot)
+void MovingBlades::begin(const gpu::Recording& commands, double time, std::uint32_t slot)
 {
     gpu::memoryBarrier(commands, gpu::anyAccess, gpu::anyAccess);
     if (replaced_)
@@ -77,14 +77,14 @@ void MovingBlades::begin(VkCommandBuffer commands, double time, std::uint32_t sl
     gpu::transferToCompute(commands);
 }
 
-void MovingBlades::beginAgain(VkCommandBuffer commands) const
+void MovingBlades::beginAgain(const gpu::Recording& commands) const
 {
     gpu::memoryBarrier(commands, gpu::anyAccess, gpu::transferAccess);
     buffers_.clearCounts(commands);
     gpu::transferToCompute(commands);
 }
 
-void MovingBlades::findVisiblePatches(VkCommandBuffer commands, VkDeviceAddress cullView,
+void MovingBlades::findVisiblePatches(const gpu::Recording& commands, VkDeviceAddress cullView,
                                       gpu::Timestamps* timestamps) const
 {
     const DispatchScope scope(*context_, commands, timestamps, "cull");
@@ -92,7 +92,7 @@ void MovingBlades::findVisiblePatches(VkCommandBuffer commands, VkDeviceAddress 
     gpu::computeToCompute(commands);
 }
 
-void MovingBlades::moveAndList(VkCommandBuffer commands, const FramePlace& cullView,
+void MovingBlades::moveAndList(const gpu::Recording& commands, const FramePlace& cullView,
                                std::uint32_t round, UpdateCullPass::Shown shown,
                                gpu::Timestamps* timestamps) const
 {
@@ -102,7 +102,7 @@ void MovingBlades::moveAndList(VkCommandBuffer commands, const FramePlace& cullV
                    {.frame = cullView, .round = round, .shown = shown});
 }
 
-void MovingBlades::moveAll(VkCommandBuffer commands, const FramePlace& frame) const
+void MovingBlades::moveAll(const gpu::Recording& commands, const FramePlace& frame) const
 {
     update_.record(commands, buffers_.baked(), buffers_.list(), variant_,
                    UpdateCullPass::Scope::all, {.frame = frame});

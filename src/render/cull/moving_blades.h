@@ -2,6 +2,7 @@
 
 #include "gpu/context/context.h"
 #include "gpu/pipeline/shader_library.h"
+#include "gpu/recording/recording.h"
 #include "gpu/recording/timestamps.h"
 #include "render/cull/field_buffers.h"
 #include "render/cull/update_cull_pass.h"
@@ -55,24 +56,25 @@ public:
     /// frame, at `time` [s], blades start settled in their wind; and where they do not move on, see
     /// movesOn(). The former commands of `slot` must
     /// have completed.
-    void begin(VkCommandBuffer commands, double time, std::uint32_t slot);
+    void begin(const gpu::Recording& commands, double time, std::uint32_t slot);
 
     /// Clears lists and counts for another list in the same frame. Blades are not moved again,
     /// since no time passes.
-    void beginAgain(VkCommandBuffer commands) const;
+    void beginAgain(const gpu::Recording& commands) const;
 
     /// Finds the visible patches and records the barrier to their readers. `cullView` is the frame
     /// whose camera tests the nodes.
-    void findVisiblePatches(VkCommandBuffer commands, VkDeviceAddress cullView,
+    void findVisiblePatches(const gpu::Recording& commands, VkDeviceAddress cullView,
                             gpu::Timestamps* timestamps) const;
 
     /// Moves, culls and lists the blades of one round of visible patches. Blades that `shown` does
     /// not contain are listed from the back.
-    void moveAndList(VkCommandBuffer commands, const FramePlace& cullView, std::uint32_t round,
-                     UpdateCullPass::Shown shown, gpu::Timestamps* timestamps) const;
+    void moveAndList(const gpu::Recording& commands, const FramePlace& cullView,
+                     std::uint32_t round, UpdateCullPass::Shown shown,
+                     gpu::Timestamps* timestamps) const;
 
     /// Only moves all blades.
-    void moveAll(VkCommandBuffer commands, const FramePlace& frame) const;
+    void moveAll(const gpu::Recording& commands, const FramePlace& frame) const;
 
 private:
     const gpu::DeviceContext* context_;

@@ -2,6 +2,7 @@
 
 #include "gpu/context/debug.h"
 #include "gpu/recording/barrier.h"
+#include "gpu/recording/recording.h"
 #include "gpu/recording/timestamps.h"
 
 #include <vulkan/vulkan.h>
@@ -13,7 +14,7 @@ namespace sward::render {
 /// Labels a pass during its lifetime, and measures it if timestamps are given.
 class PassScope {
 public:
-    PassScope(const gpu::DeviceContext& context, VkCommandBuffer commands,
+    PassScope(const gpu::DeviceContext& context, const gpu::Recording& commands,
               gpu::Timestamps* timestamps, const char* name)
         : label_(context, commands, name)
         , commands_(commands)
@@ -31,7 +32,7 @@ public:
 
 private:
     gpu::LabelScope label_;
-    VkCommandBuffer commands_;
+    gpu::Recording commands_;
     gpu::Timestamps* timestamps_;
     std::uint32_t scope_;
 };
@@ -41,7 +42,7 @@ private:
 /// before; without the barrier a dispatch would be over before its scope begins.
 class DispatchScope : PassScope {
 public:
-    DispatchScope(const gpu::DeviceContext& context, VkCommandBuffer commands,
+    DispatchScope(const gpu::DeviceContext& context, const gpu::Recording& commands,
                   gpu::Timestamps* timestamps, const char* name)
         : PassScope(context, commands, timestamps, name)
     {

@@ -24,7 +24,7 @@ bool Attachments::resize(glm::uvec2 size)
     if (size == size_)
         return false;
     if (size_ != glm::uvec2(0))
-        gpu::check(vkDeviceWaitIdle(context_->device), "vkDeviceWaitIdle");
+        gpu::check(context_->vk.DeviceWaitIdle(context_->device), "vkDeviceWaitIdle");
 
     const VkExtent2D extent{size.x, size.y};
     depth_ = gpu::Image(*context_, {.name = "frame/depth",

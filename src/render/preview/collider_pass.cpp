@@ -19,12 +19,12 @@ ColliderPass::ColliderPass(const gpu::DeviceContext& context, const gpu::ShaderL
     pipeline_ = gpu::GraphicsPipeline(context, shaders, settings);
 }
 
-void ColliderPass::record(VkCommandBuffer commands, VkDeviceAddress frame,
+void ColliderPass::record(const gpu::Recording& commands, VkDeviceAddress frame,
                           std::uint32_t count) const
 {
     pipeline_.bind(commands);
     pipeline_.push(commands, shared::ViewPush{frame});
-    vkCmdDraw(commands, 3 * shared::colliderTriangles, count, 0, 0);
+    commands.vk->CmdDraw(commands, 3 * shared::colliderTriangles, count, 0, 0);
 }
 
 } // namespace sward::render

@@ -3,6 +3,7 @@
 #include "gpu/context/context.h"
 #include "gpu/pipeline/graphics_pipeline.h"
 #include "gpu/pipeline/shader_library.h"
+#include "gpu/recording/recording.h"
 #include "render/target_settings.h"
 
 #include <vulkan/vulkan.h>
@@ -18,7 +19,7 @@ public:
                  const TargetSettings& target);
 
     /// Draws the frame's first `count` colliders. Inside a rendering, before what they hide.
-    void record(VkCommandBuffer commands, VkDeviceAddress frame, std::uint32_t count) const;
+    void record(const gpu::Recording& commands, VkDeviceAddress frame, std::uint32_t count) const;
 
 private:
     gpu::GraphicsPipeline pipeline_;

@@ -2,6 +2,7 @@
 
 #include "gpu/context/context.h"
 #include "gpu/pipeline/shader_library.h"
+#include "gpu/recording/recording.h"
 #include "gpu/recording/rendering.h"
 #include "gpu/recording/timestamps.h"
 #include "render/cull/depth_pyramid.h"
@@ -73,7 +74,7 @@ struct FieldRenderer::Parts {
     std::unique_ptr<EditedField> editedOf(const field::FieldView& field) const;
     std::size_t bytesBesideBlades() const;
     void fit(glm::uvec2 size);
-    void recordStreaming(VkCommandBuffer commands, std::uint32_t slot, double time) const;
+    void recordStreaming(const gpu::Recording& commands, std::uint32_t slot, double time) const;
     void stream(shared::Frame& frame, const FrameSettings& wanted, glm::uvec2 size,
                 std::uint32_t slot);
     shared::Frame writeFrame(shared::Frame frame, const FrameSettings& wanted, double time,
@@ -82,17 +83,19 @@ struct FieldRenderer::Parts {
                             glm::uvec2 size, std::uint32_t slot);
     bool groupsDrawLarge() const;
     bool findsHidden(const FrameSettings& wanted) const; ///< occlusion test between blades
-    void drawOpaque(VkCommandBuffer commands, const Target& target, std::uint32_t slot,
+    void drawOpaque(const gpu::Recording& commands, const Target& target, std::uint32_t slot,
                     gpu::Timestamps* timestamps);
-    void rasterOpaque(VkCommandBuffer commands, std::uint32_t slot, gpu::Timestamps* timestamps);
-    void seeWhatIsHidden(VkCommandBuffer commands, std::uint32_t slot, gpu::Timestamps* timestamps);
-    void seeWhatIsHidden(VkCommandBuffer commands, const RasterPass::Input& input,
-                         gpu::Timestamps* timestamps);
-    void drawBlades(VkCommandBuffer commands, const Target& target, std::uint32_t slot,
-                    gpu::Timestamps* timestamps);
-    void rasterBlades(VkCommandBuffer commands, const RasterPass::Input& input,
+    void rasterOpaque(const gpu::Recording& commands, std::uint32_t slot,
                       gpu::Timestamps* timestamps);
-    void makePicture(VkCommandBuffer commands, const Target& target, std::uint32_t slot,
+    void seeWhatIsHidden(const gpu::Recording& commands, std::uint32_t slot,
+                         gpu::Timestamps* timestamps);
+    void seeWhatIsHidden(const gpu::Recording& commands, const RasterPass::Input& input,
+                         gpu::Timestamps* timestamps);
+    void drawBlades(const gpu::Recording& commands, const Target& target, std::uint32_t slot,
+                    gpu::Timestamps* timestamps);
+    void rasterBlades(const gpu::Recording& commands, const RasterPass::Input& input,
+                      gpu::Timestamps* timestamps);
+    void makePicture(const gpu::Recording& commands, const Target& target, std::uint32_t slot,
                      const RasterPass::Input& input, gpu::Timestamps* timestamps);
     gpu::ColorAttachment colorAttachment(const Target& target) const;
 };

@@ -73,7 +73,7 @@ gpu::ColorAttachment FieldRenderer::Parts::colorAttachment(const Target& target)
     return color;
 }
 
-void FieldRenderer::Parts::drawOpaque(VkCommandBuffer commands, const Target& target,
+void FieldRenderer::Parts::drawOpaque(const gpu::Recording& commands, const Target& target,
                                       std::uint32_t slot, gpu::Timestamps* timestamps)
 {
     const DispatchScope scope(context, commands, timestamps, "ground");
@@ -92,7 +92,7 @@ void FieldRenderer::Parts::drawOpaque(VkCommandBuffer commands, const Target& ta
     opaque->record(commands, frame);
 }
 
-void FieldRenderer::Parts::rasterOpaque(VkCommandBuffer commands, std::uint32_t slot,
+void FieldRenderer::Parts::rasterOpaque(const gpu::Recording& commands, std::uint32_t slot,
                                         gpu::Timestamps* timestamps)
 {
     const DispatchScope scope(context, commands, timestamps, "ground");
@@ -105,7 +105,7 @@ void FieldRenderer::Parts::rasterOpaque(VkCommandBuffer commands, std::uint32_t 
     gpu::computeToCompute(commands);
 }
 
-void FieldRenderer::Parts::seeWhatIsHidden(VkCommandBuffer commands, std::uint32_t slot,
+void FieldRenderer::Parts::seeWhatIsHidden(const gpu::Recording& commands, std::uint32_t slot,
                                            gpu::Timestamps* timestamps)
 {
     gpu::transition(commands, attachments->depth(), gpu::ImageUse::depthTarget,
@@ -120,7 +120,8 @@ void FieldRenderer::Parts::seeWhatIsHidden(VkCommandBuffer commands, std::uint32
                     gpu::ImageUse::depthTarget);
 }
 
-void FieldRenderer::Parts::seeWhatIsHidden(VkCommandBuffer commands, const RasterPass::Input& input,
+void FieldRenderer::Parts::seeWhatIsHidden(const gpu::Recording& commands,
+                                           const RasterPass::Input& input,
                                            gpu::Timestamps* timestamps)
 {
     {
@@ -130,7 +131,7 @@ void FieldRenderer::Parts::seeWhatIsHidden(VkCommandBuffer commands, const Raste
     gpu::computeToCompute(commands);
 }
 
-void FieldRenderer::Parts::drawBlades(VkCommandBuffer commands, const Target& target,
+void FieldRenderer::Parts::drawBlades(const gpu::Recording& commands, const Target& target,
                                       std::uint32_t slot, gpu::Timestamps* timestamps)
 {
     gpu::ColorAttachment color = colorAttachment(target);
@@ -149,13 +150,13 @@ void FieldRenderer::Parts::drawBlades(VkCommandBuffer commands, const Target& ta
     tessellated->record(commands, blades.buffers(), slots[slot].frame.place().address, timestamps);
 }
 
-void FieldRenderer::Parts::rasterBlades(VkCommandBuffer commands, const RasterPass::Input& input,
-                                        gpu::Timestamps* timestamps)
+void FieldRenderer::Parts::rasterBlades(const gpu::Recording& commands,
+                                        const RasterPass::Input& input, gpu::Timestamps* timestamps)
 {
     RasterRounds{context, blades, *raster, rounds}.record(commands, input, timestamps);
 }
 
-void FieldRenderer::Parts::makePicture(VkCommandBuffer commands, const Target& target,
+void FieldRenderer::Parts::makePicture(const gpu::Recording& commands, const Target& target,
                                        std::uint32_t slot, const RasterPass::Input& input,
                                        gpu::Timestamps* timestamps)
 {

@@ -39,20 +39,20 @@ void FilmPass::resize(glm::uvec2 size)
     images_.setSampled(0, resolved_.view(), sampler_.get());
 }
 
-VkImageView FilmPass::begin(VkCommandBuffer commands) const
+VkImageView FilmPass::begin(const gpu::Recording& commands) const
 {
     gpu::transition(commands, resolved_, gpu::ImageUse::undefined, gpu::ImageUse::colorTarget);
     return resolved_.view();
 }
 
-void FilmPass::record(VkCommandBuffer commands, VkImageView target) const
+void FilmPass::record(const gpu::Recording& commands, VkImageView target) const
 {
     gpu::transition(commands, resolved_, gpu::ImageUse::colorTarget, gpu::ImageUse::sampled);
     const gpu::ColorAttachment color{.view = target, .clear = std::nullopt};
     const gpu::RenderingScope rendering(commands, resolved_.extent(), std::span(&color, 1));
     pipeline_.bind(commands);
     images_.bind(commands, VK_PIPELINE_BIND_POINT_GRAPHICS, pipeline_.layout());
-    vkCmdDraw(commands, 3, 1, 0, 0);
+    commands.vk->CmdDraw(commands, 3, 1, 0, 0);
 }
 
 } // namespace sward::render

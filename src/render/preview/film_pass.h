@@ -6,6 +6,7 @@
 #include "gpu/pipeline/image_set.h"
 #include "gpu/pipeline/sampler.h"
 #include "gpu/pipeline/shader_library.h"
+#include "gpu/recording/recording.h"
 #include "render/target_settings.h"
 
 #include <glm/vec2.hpp>
@@ -24,10 +25,10 @@ public:
     void resize(glm::uvec2 size);
 
     /// The resolve target of the samples: colour, and 1 − softness (lighting.glsl) as alpha.
-    VkImageView begin(VkCommandBuffer commands) const;
+    VkImageView begin(const gpu::Recording& commands) const;
 
     /// Draws into a target of that size in ImageUse::colorTarget, after the resolve of the samples.
-    void record(VkCommandBuffer commands, VkImageView target) const;
+    void record(const gpu::Recording& commands, VkImageView target) const;
 
 private:
     const gpu::DeviceContext* context_;

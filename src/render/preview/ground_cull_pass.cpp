@@ -46,7 +46,7 @@ GroundCullPass::GroundCullPass(const gpu::DeviceContext& context, const gpu::Sha
     counts_ = buffer("ground/draw counts", ground.parts().size() * countStride);
 }
 
-void GroundCullPass::record(VkCommandBuffer commands, VkDeviceAddress frame) const
+void GroundCullPass::record(const gpu::Recording& commands, VkDeviceAddress frame) const
 {
     if (draws_.bytes() == 0)
         return;
@@ -64,23 +64,23 @@ void GroundCullPass::record(VkCommandBuffer commands, VkDeviceAddress frame) con
             .firstCluster = part.firstCluster};
         find_.bind(commands);
         find_.push(commands, push);
-        vkCmdDispatch(commands, groupsOf(part.clusterCount), 1, 1);
+        commands.vk->CmdDispatch(commands, groupsOf(part.clusterCount), 1, 1);
         gpu::computeToCompute(commands);
         write_.bind(commands);
         write_.push(commands, push);
-        vkCmdDispatch(commands, groupsOf(part.clusterCount), 1, 1);
+        commands.vk->CmdDispatch(commands, groupsOf(part.clusterCount), 1, 1);
         // The next part reuses the bits.
         gpu::computeToCompute(commands);
     }
     gpu::computeToDraw(commands);
 }
 
-void GroundCullPass::draw(VkCommandBuffer commands, const GroundBuffers::Part& part) const
+void GroundCullPass::draw(const gpu::Recording& commands, const GroundBuffers::Part& part) const
 {
     if (part.isDrawnWhole)
-        vkCmdDrawIndexed(commands, part.indexCount, 1, part.firstIndex, 0, 0);
+        commands.vk->CmdDrawIndexed(commands, part.indexCount, 1, part.firstIndex, 0, 0);
     else
-        vkCmdDrawIndexedIndirectCount(
+        commands.vk->CmdDrawIndexedIndirectCount(
             commands, draws_.get(), part.firstCluster * sizeof(shared::IndexedDraw), counts_.get(),
             part.place * countStride, part.clusterCount, sizeof(shared::IndexedDraw));
 }

@@ -4,6 +4,7 @@
 #include "gpu/memory/buffer.h"
 #include "gpu/pipeline/compute_pipeline.h"
 #include "gpu/pipeline/shader_library.h"
+#include "gpu/recording/recording.h"
 #include "render/preview/ground_buffers.h"
 
 #include <vulkan/vulkan.h>
@@ -21,10 +22,10 @@ public:
 
     /// Culls for a frame's camera, outside of a rendering. Includes barriers from former draws and
     /// to drawing.
-    void record(VkCommandBuffer commands, VkDeviceAddress frame) const;
+    void record(const gpu::Recording& commands, VkDeviceAddress frame) const;
 
     /// Draws the visible clusters of one part, with pipeline and indices bound.
-    void draw(VkCommandBuffer commands, const GroundBuffers::Part& part) const;
+    void draw(const gpu::Recording& commands, const GroundBuffers::Part& part) const;
 
     VkDeviceSize bytes() const { return draws_.bytes() + seen_.bytes() + counts_.bytes(); }
 

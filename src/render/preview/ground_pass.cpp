@@ -33,12 +33,12 @@ GroundPass::GroundPass(const gpu::DeviceContext& context, const gpu::ShaderLibra
 {
 }
 
-void GroundPass::record(VkCommandBuffer commands, const GroundBuffers& ground,
+void GroundPass::record(const gpu::Recording& commands, const GroundBuffers& ground,
                         const GroundCullPass& seen, VkDeviceAddress frame) const
 {
     if (ground.parts().empty())
         return;
-    vkCmdBindIndexBuffer(commands, ground.indices().get(), 0, VK_INDEX_TYPE_UINT32);
+    commands.vk->CmdBindIndexBuffer(commands, ground.indices().get(), 0, VK_INDEX_TYPE_UINT32);
     for (const GroundBuffers::Part& part : ground.parts()) {
         const gpu::GraphicsPipeline& pipeline = part.isDoubleSided ? twoSided_ : oneSided_;
         pipeline.bind(commands);

@@ -3,6 +3,7 @@
 #include "gpu/context/context.h"
 #include "gpu/pipeline/graphics_pipeline.h"
 #include "gpu/pipeline/shader_library.h"
+#include "gpu/recording/recording.h"
 #include "render/preview/ground_buffers.h"
 #include "render/preview/ground_cull_pass.h"
 #include "render/target_settings.h"
@@ -19,8 +20,8 @@ public:
                const TargetSettings& target, VkDescriptorSetLayout imageLayout);
 
     /// Inside a rendering.
-    void record(VkCommandBuffer commands, const GroundBuffers& ground, const GroundCullPass& seen,
-                VkDeviceAddress frame) const;
+    void record(const gpu::Recording& commands, const GroundBuffers& ground,
+                const GroundCullPass& seen, VkDeviceAddress frame) const;
 
 private:
     gpu::GraphicsPipeline oneSided_; ///< culls back faces

@@ -26,12 +26,12 @@ void OpaquePass::prepare(const gpu::ShaderLibrary& shaders, std::uint32_t collid
     }
 }
 
-void OpaquePass::recordCull(VkCommandBuffer commands, VkDeviceAddress frame) const
+void OpaquePass::recordCull(const gpu::Recording& commands, VkDeviceAddress frame) const
 {
     cull_.record(commands, frame);
 }
 
-void OpaquePass::record(VkCommandBuffer commands, VkDeviceAddress frame) const
+void OpaquePass::record(const gpu::Recording& commands, VkDeviceAddress frame) const
 {
     (paintsWind_ ? *windy_ : plain_).record(commands, *ground_, cull_, frame);
     if (colliderCount_ > 0)

@@ -2,6 +2,7 @@
 
 #include "gpu/context/context.h"
 #include "gpu/pipeline/shader_library.h"
+#include "gpu/recording/recording.h"
 #include "render/preview/collider_pass.h"
 #include "render/preview/ground_buffers.h"
 #include "render/preview/ground_cull_pass.h"
@@ -26,10 +27,10 @@ public:
     void prepare(const gpu::ShaderLibrary& shaders, std::uint32_t colliders, bool paintsWind);
 
     /// Outside of a rendering, before record(): see GroundCullPass::record().
-    void recordCull(VkCommandBuffer commands, VkDeviceAddress frame) const;
+    void recordCull(const gpu::Recording& commands, VkDeviceAddress frame) const;
 
     /// Inside a rendering.
-    void record(VkCommandBuffer commands, VkDeviceAddress frame) const;
+    void record(const gpu::Recording& commands, VkDeviceAddress frame) const;
 
     VkDeviceSize bytes() const { return cull_.bytes(); }
 

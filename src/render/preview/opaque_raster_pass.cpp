@@ -133,15 +133,15 @@ shared::OpaquePush OpaqueRasterPass::pushFor(const FramePlace& frame,
             .imageCount = ground_->imageCount()};
 }
 
-void OpaqueRasterPass::recordBegin(VkCommandBuffer commands) const
+void OpaqueRasterPass::recordBegin(const gpu::Recording& commands) const
 {
     shared::OpaqueWork none{};
     none.middle = {.groups = {0, 1, 1}, .count = 0};
     none.tiles = none.middle;
-    vkCmdUpdateBuffer(commands, work_.get(), 0, sizeof none, &none);
+    commands.vk->CmdUpdateBuffer(commands, work_.get(), 0, sizeof none, &none);
 }
 
-void OpaqueRasterPass::recordTriangles(VkCommandBuffer commands, const FramePlace& frame,
+void OpaqueRasterPass::recordTriangles(const gpu::Recording& commands, const FramePlace& frame,
                                        VkDeviceAddress visibility) const
 {
     const shared::OpaquePush push = pushFor(frame, visibility);
@@ -149,13 +149,14 @@ void OpaqueRasterPass::recordTriangles(VkCommandBuffer commands, const FramePlac
         triangles_.bind(commands);
         frame.bind(commands, triangles_.layout(), opaqueFrameSet);
         triangles_.push(commands, push);
-        vkCmdDispatch(commands, std::min(ground_->clusterCount(), shared::maxOpaqueGroups), 1, 1);
+        commands.vk->CmdDispatch(commands,
+                                 std::min(ground_->clusterCount(), shared::maxOpaqueGroups), 1, 1);
     }
     if (colliderTriangles_ > 0) {
         colliders_.bind(commands);
         frame.bind(commands, colliders_.layout(), opaqueFrameSet);
         colliders_.push(commands, push);
-        vkCmdDispatch(
+        commands.vk->CmdDispatch(
             commands,
             std::min(groupsFor(colliderTriangles_, shared::opaqueThreads), shared::maxGroups), 1,
             1);
@@ -164,14 +165,14 @@ void OpaqueRasterPass::recordTriangles(VkCommandBuffer commands, const FramePlac
     middle_.bind(commands);
     frame.bind(commands, middle_.layout(), opaqueFrameSet);
     middle_.push(commands, push);
-    vkCmdDispatchIndirect(commands, work_.get(), offsetof(shared::OpaqueWork, middle));
+    commands.vk->CmdDispatchIndirect(commands, work_.get(), offsetof(shared::OpaqueWork, middle));
     large_.bind(commands);
     frame.bind(commands, large_.layout(), opaqueFrameSet);
     large_.push(commands, push);
-    vkCmdDispatchIndirect(commands, work_.get(), offsetof(shared::OpaqueWork, tiles));
+    commands.vk->CmdDispatchIndirect(commands, work_.get(), offsetof(shared::OpaqueWork, tiles));
 }
 
-void OpaqueRasterPass::recordLight(VkCommandBuffer commands, const FramePlace& frame,
+void OpaqueRasterPass::recordLight(const gpu::Recording& commands, const FramePlace& frame,
                                    VkDeviceAddress visibility,
                                    const TileClassification* tiles) const
 {
@@ -193,8 +194,8 @@ void OpaqueRasterPass::recordLight(VkCommandBuffer commands, const FramePlace& f
         if (tiles != nullptr)
             tiles->dispatch(commands, shared::tilesOfOpaque);
         else
-            vkCmdDispatch(commands, shared::tilesAlong(size_.width, shared::lightTile),
-                          shared::tilesAlong(size_.height, shared::lightTile), 1);
+            commands.vk->CmdDispatch(commands, shared::tilesAlong(size_.width, shared::lightTile),
+                                     shared::tilesAlong(size_.height, shared::lightTile), 1);
         push.firstImage += shared::imagesTogether;
     }
 }

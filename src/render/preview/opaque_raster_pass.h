@@ -7,6 +7,7 @@
 #include "gpu/pipeline/image_set.h"
 #include "gpu/pipeline/shader_library.h"
 #include "gpu/pipeline/uniform_sets.h"
+#include "gpu/recording/recording.h"
 #include "render/frame_place.h"
 #include "render/preview/ground_buffers.h"
 #include "render/resolve/tile_classification.h"
@@ -41,16 +42,16 @@ public:
 
     /// Clears lists of triangles. Needs barriers from all accesses to fills before, and from fills
     /// to dispatches after.
-    void recordBegin(VkCommandBuffer commands) const;
+    void recordBegin(const gpu::Recording& commands) const;
 
     /// Draws into a cleared visibility. Needs a barrier to compute shaders after.
-    void recordTriangles(VkCommandBuffer commands, const FramePlace& frame,
+    void recordTriangles(const gpu::Recording& commands, const FramePlace& frame,
                          VkDeviceAddress visibility) const;
 
     /// Lights what the visibility shows. Needs barriers from and to compute shaders; lit() is then
     /// in ImageUse::storage. `tiles`: classified tiles if the target sorts tiles, else null.
-    void recordLight(VkCommandBuffer commands, const FramePlace& frame, VkDeviceAddress visibility,
-                     const TileClassification* tiles) const;
+    void recordLight(const gpu::Recording& commands, const FramePlace& frame,
+                     VkDeviceAddress visibility, const TileClassification* tiles) const;
 
     /// Linear; alpha: see softness() of lighting.glsl. Per pixel, the sum over the samples that
     /// show something opaque, divided by all samples. Other pixels are undefined.

@@ -21,11 +21,11 @@ SkyPass::SkyPass(const gpu::DeviceContext& context, const gpu::ShaderLibrary& sh
     pipeline_ = gpu::GraphicsPipeline(context, shaders, settings);
 }
 
-void SkyPass::record(VkCommandBuffer commands, VkDeviceAddress frame) const
+void SkyPass::record(const gpu::Recording& commands, VkDeviceAddress frame) const
 {
     pipeline_.bind(commands);
     pipeline_.push(commands, shared::ViewPush{frame});
-    vkCmdDraw(commands, 3, 1, 0, 0);
+    commands.vk->CmdDraw(commands, 3, 1, 0, 0);
 }
 
 } // namespace sward::render

@@ -3,6 +3,7 @@
 #include "gpu/context/context.h"
 #include "gpu/pipeline/graphics_pipeline.h"
 #include "gpu/pipeline/shader_library.h"
+#include "gpu/recording/recording.h"
 #include "render/target_settings.h"
 
 #include <vulkan/vulkan.h>
@@ -16,7 +17,7 @@ public:
             const TargetSettings& target);
 
     /// Inside a rendering, after everything opaque.
-    void record(VkCommandBuffer commands, VkDeviceAddress frame) const;
+    void record(const gpu::Recording& commands, VkDeviceAddress frame) const;
 
 private:
     gpu::GraphicsPipeline pipeline_;

@@ -33,7 +33,7 @@ VkDeviceSize firstByteOf(const VkRect2D& part)
 }
 
 /// Copies parts of a map to the same places of another.
-void copyParts(VkCommandBuffer commands, const gpu::Image& from, const gpu::Image& to,
+void copyParts(const gpu::Recording& commands, const gpu::Image& from, const gpu::Image& to,
                std::span<const VkRect2D> parts)
 {
     std::vector<VkImageCopy> copies;
@@ -46,9 +46,9 @@ void copyParts(VkCommandBuffer commands, const gpu::Image& from, const gpu::Imag
         copy.extent = {part.extent.width, part.extent.height, 1};
         copies.push_back(copy);
     }
-    vkCmdCopyImage(commands, from.get(), gpu::layoutOf(gpu::ImageUse::transferSource), to.get(),
-                   gpu::layoutOf(gpu::ImageUse::transferTarget),
-                   static_cast<std::uint32_t>(copies.size()), copies.data());
+    commands.vk->CmdCopyImage(commands, from.get(), gpu::layoutOf(gpu::ImageUse::transferSource),
+                              to.get(), gpu::layoutOf(gpu::ImageUse::transferTarget),
+                              static_cast<std::uint32_t>(copies.size()), copies.data());
 }
 
 } // namespace
@@ -144,14 +144,14 @@ void SunShadowPass::prepare(const gpu::ShaderLibrary& shaders)
     colliders_ = gpu::GraphicsPipeline(*context_, shaders, settings);
 }
 
-void SunShadowPass::drawGround(VkCommandBuffer commands, const GroundBuffers& ground,
+void SunShadowPass::drawGround(const gpu::Recording& commands, const GroundBuffers& ground,
                                VkDeviceAddress frame)
 {
     gpu::transition(commands, map_, gpu::ImageUse::undefined, gpu::ImageUse::depthTarget);
     {
         const gpu::DepthAttachment depth{.view = map_.view(), .clear = 0.0f};
         const gpu::RenderingScope rendering(commands, map_.extent(), {}, depth);
-        vkCmdBindIndexBuffer(commands, ground.indices().get(), 0, VK_INDEX_TYPE_UINT32);
+        commands.vk->CmdBindIndexBuffer(commands, ground.indices().get(), 0, VK_INDEX_TYPE_UINT32);
         pipeline_.bind(commands);
         pipeline_.push(commands, shared::GroundPush{.frame = frame,
                                                     .vertices = ground.vertices(),
@@ -159,13 +159,13 @@ void SunShadowPass::drawGround(VkCommandBuffer commands, const GroundBuffers& gr
                                                     .material = 0,
                                                     .reserved = 0});
         for (const GroundBuffers::Part& part : ground.parts())
-            vkCmdDrawIndexed(commands, part.indexCount, 1, part.firstIndex, 0, 0);
+            commands.vk->CmdDrawIndexed(commands, part.indexCount, 1, part.firstIndex, 0, 0);
     }
     gpu::transition(commands, map_, gpu::ImageUse::depthTarget, gpu::ImageUse::transferSource);
     hasGroundMap_ = false;
 }
 
-void SunShadowPass::drawColliders(VkCommandBuffer commands, VkDeviceAddress frame)
+void SunShadowPass::drawColliders(const gpu::Recording& commands, VkDeviceAddress frame)
 {
     using gpu::ImageUse;
     if (!keepsGround_) {
@@ -190,12 +190,12 @@ void SunShadowPass::drawColliders(VkCommandBuffer commands, VkDeviceAddress fram
             colliders_.push(commands, shared::ViewPush{frame});
         }
         for (const std::uint32_t i : changes_.colliders)
-            vkCmdDraw(commands, 3 * shared::colliderTriangles, 1, 0, i);
+            commands.vk->CmdDraw(commands, 3 * shared::colliderTriangles, 1, 0, i);
     }
     gpu::transition(commands, map_, ImageUse::depthTarget, ImageUse::transferSource);
 }
 
-void SunShadowPass::record(VkCommandBuffer commands, const GroundBuffers& ground,
+void SunShadowPass::record(const gpu::Recording& commands, const GroundBuffers& ground,
                            VkDeviceAddress frame)
 {
     if (changes_.isNone())
@@ -217,8 +217,9 @@ void SunShadowPass::record(VkCommandBuffer commands, const GroundBuffers& ground
         copy.imageExtent = {part.extent.width, part.extent.height, 1};
         copies.push_back(copy);
     }
-    vkCmdCopyImageToBuffer(commands, map_.get(), gpu::layoutOf(gpu::ImageUse::transferSource),
-                           depths_.get(), static_cast<std::uint32_t>(copies.size()), copies.data());
+    commands.vk->CmdCopyImageToBuffer(commands, map_.get(),
+                                      gpu::layoutOf(gpu::ImageUse::transferSource), depths_.get(),
+                                      static_cast<std::uint32_t>(copies.size()), copies.data());
     gpu::memoryBarrier(commands, gpu::transferAccess, gpu::drawAccess);
     changes_ = {};
 }

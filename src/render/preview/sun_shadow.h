@@ -6,6 +6,7 @@
 #include "gpu/memory/image.h"
 #include "gpu/pipeline/graphics_pipeline.h"
 #include "gpu/pipeline/shader_library.h"
+#include "gpu/recording/recording.h"
 #include "render/preview/ground_buffers.h"
 #include "render/preview/shadow_contents.h"
 #include "shaders/shared/frame.h"
@@ -41,7 +42,7 @@ public:
     void prepare(const gpu::ShaderLibrary& shaders);
 
     /// Draws what has changed since the frame described last before; outside of a rendering.
-    void record(VkCommandBuffer commands, const GroundBuffers& ground, VkDeviceAddress frame);
+    void record(const gpu::Recording& commands, const GroundBuffers& ground, VkDeviceAddress frame);
 
     VkDeviceSize bytes() const
     {
@@ -49,8 +50,9 @@ public:
     }
 
 private:
-    void drawGround(VkCommandBuffer commands, const GroundBuffers& ground, VkDeviceAddress frame);
-    void drawColliders(VkCommandBuffer commands, VkDeviceAddress frame);
+    void drawGround(const gpu::Recording& commands, const GroundBuffers& ground,
+                    VkDeviceAddress frame);
+    void drawColliders(const gpu::Recording& commands, VkDeviceAddress frame);
 
     const gpu::DeviceContext* context_;
     Aabb ground_;

@@ -31,12 +31,12 @@ void TessellatedPass::prepare(const gpu::ShaderLibrary& shaders, bool paintsWind
     windy_.emplace(*context_, shaders, target);
 }
 
-VkImageView TessellatedPass::begin(VkCommandBuffer commands) const
+VkImageView TessellatedPass::begin(const gpu::Recording& commands) const
 {
     return film_ ? film_->begin(commands) : VK_NULL_HANDLE;
 }
 
-void TessellatedPass::record(VkCommandBuffer commands, const FieldBuffers& field,
+void TessellatedPass::record(const gpu::Recording& commands, const FieldBuffers& field,
                              VkDeviceAddress frame, gpu::Timestamps* timestamps) const
 {
     {
@@ -47,7 +47,7 @@ void TessellatedPass::record(VkCommandBuffer commands, const FieldBuffers& field
     sky_.record(commands, frame);
 }
 
-void TessellatedPass::finish(VkCommandBuffer commands, VkImageView target) const
+void TessellatedPass::finish(const gpu::Recording& commands, VkImageView target) const
 {
     if (film_)
         film_->record(commands, target);

@@ -2,6 +2,7 @@
 
 #include "gpu/context/context.h"
 #include "gpu/pipeline/shader_library.h"
+#include "gpu/recording/recording.h"
 #include "gpu/recording/timestamps.h"
 #include "render/cull/field_buffers.h"
 #include "render/preview/film_pass.h"
@@ -30,14 +31,14 @@ public:
     void prepare(const gpu::ShaderLibrary& shaders, bool paintsWind);
 
     /// The resolve target of the rendering's samples; null with one sample per pixel.
-    VkImageView begin(VkCommandBuffer commands) const;
+    VkImageView begin(const gpu::Recording& commands) const;
 
     /// Inside a rendering, after the ground.
-    void record(VkCommandBuffer commands, const FieldBuffers& field, VkDeviceAddress frame,
+    void record(const gpu::Recording& commands, const FieldBuffers& field, VkDeviceAddress frame,
                 gpu::Timestamps* timestamps) const;
 
     /// After the rendering: makes the target's picture from several samples.
-    void finish(VkCommandBuffer commands, VkImageView target) const;
+    void finish(const gpu::Recording& commands, VkImageView target) const;
 
 private:
     const gpu::DeviceContext* context_;

@@ -126,17 +126,17 @@ VkDeviceSize RasterPass::bytes() const
     return visibility_.bytes() + largeList_.bytes() + (shadingCache_ ? shadingCache_->bytes() : 0);
 }
 
-void RasterPass::recordBegin(VkCommandBuffer commands)
+void RasterPass::recordBegin(const gpu::Recording& commands)
 {
     if (!isEmpty_)
-        vkCmdFillBuffer(commands, visibility_.get(), 0, VK_WHOLE_SIZE, 0);
+        commands.vk->CmdFillBuffer(commands, visibility_.get(), 0, VK_WHOLE_SIZE, 0);
     isEmpty_ = true;
     largeList_.clear(commands);
     largeList_.beginShown(commands);
 }
 
-void RasterPass::recordBlades(VkCommandBuffer commands, const Input& input, std::uint32_t round,
-                              Phase phase) const
+void RasterPass::recordBlades(const gpu::Recording& commands, const Input& input,
+                              std::uint32_t round, Phase phase) const
 {
     shared::RasterPush push = pushFor(input);
     push.round = phase == Phase::late ? input.field->list().roundCount() + round : round;
@@ -144,11 +144,11 @@ void RasterPass::recordBlades(VkCommandBuffer commands, const Input& input, std:
     pipeline.bind(commands);
     input.frame.bind(commands, pipeline.layout(), frameSet);
     pipeline.push(commands, push);
-    vkCmdDispatchIndirect(commands, input.field->list().rounds().get(),
-                          push.round * sizeof(shared::WalkLevel));
+    commands.vk->CmdDispatchIndirect(commands, input.field->list().rounds().get(),
+                                     push.round * sizeof(shared::WalkLevel));
 }
 
-void RasterPass::recordLarge(VkCommandBuffer commands, const Input& input, Phase phase) const
+void RasterPass::recordLarge(const gpu::Recording& commands, const Input& input, Phase phase) const
 {
     const shared::RasterPush push = pushFor(input);
     const auto bind = [&](const gpu::ComputePipeline& pipeline) {
@@ -171,7 +171,8 @@ void RasterPass::recordLarge(VkCommandBuffer commands, const Input& input, Phase
     largeList_.dispatchCut(commands);
 }
 
-void RasterPass::recordDepths(VkCommandBuffer commands, const Input& input, Levels levels) const
+void RasterPass::recordDepths(const gpu::Recording& commands, const Input& input,
+                              Levels levels) const
 {
     const auto groups = [](std::uint32_t pixels) {
         return static_cast<std::uint32_t>(
@@ -180,7 +181,7 @@ void RasterPass::recordDepths(VkCommandBuffer commands, const Input& input, Leve
     const gpu::ComputePipeline& pipeline = levels == Levels::all ? allDepths_ : depths_;
     pipeline.bind(commands);
     pipeline.push(commands, pushFor(input));
-    vkCmdDispatch(commands, groups(size_.width), groups(size_.height), 1);
+    commands.vk->CmdDispatch(commands, groups(size_.width), groups(size_.height), 1);
 }
 
 } // namespace sward::render

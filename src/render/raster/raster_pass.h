@@ -5,6 +5,7 @@
 #include "gpu/pipeline/compute_pipeline.h"
 #include "gpu/pipeline/shader_library.h"
 #include "gpu/pipeline/uniform_sets.h"
+#include "gpu/recording/recording.h"
 #include "render/cull/field_buffers.h"
 #include "render/frame_place.h"
 #include "render/raster/large_blade_list.h"
@@ -51,27 +52,27 @@ public:
 
     /// Clears lists of blades, and the visibility unless the frame before left it empty. Needs
     /// barriers from all accesses to fills before, and from fills to dispatches after.
-    void recordBegin(VkCommandBuffer commands);
+    void recordBegin(const gpu::Recording& commands);
 
     /// Early: blades drawn without occlusion test. Late: blades tested against the depth pyramid.
     enum class Phase { early, late };
 
     /// Rasterises the blades that a round of the update has listed, except large ones. Needs
     /// barriers from and to compute shaders.
-    void recordBlades(VkCommandBuffer commands, const Input& input, std::uint32_t round,
+    void recordBlades(const gpu::Recording& commands, const Input& input, std::uint32_t round,
                       Phase phase) const;
 
     /// Rasterises the listed large blades. With the occlusion test the early pass draws the
     /// quarters in the visibility history, and fills the shading cache. The late pass tests the
     /// remaining segments against the depth pyramid and draws the visible ones. Barriers as above.
-    void recordLarge(VkCommandBuffer commands, const Input& input, Phase phase) const;
+    void recordLarge(const gpu::Recording& commands, const Input& input, Phase phase) const;
 
     /// Pyramid levels to fill; all of them once a frame.
     enum class Levels { finest, all };
 
     /// Fills levels of the frame's depth pyramid from the current visibility. Blades listed later
     /// are drawn in the late pass. Barriers as above.
-    void recordDepths(VkCommandBuffer commands, const Input& input, Levels levels) const;
+    void recordDepths(const gpu::Recording& commands, const Input& input, Levels levels) const;
 
     /// Push constants, except tiles, for shaders that write or read the visibility.
     shared::RasterPush pushFor(const Input& input) const;

@@ -5,7 +5,7 @@
 
 namespace sward::render {
 
-void RasterRounds::record(VkCommandBuffer commands, const RasterPass::Input& input,
+void RasterRounds::record(const gpu::Recording& commands, const RasterPass::Input& input,
                           gpu::Timestamps* timestamps) const
 {
     using Phase = RasterPass::Phase;
@@ -25,7 +25,7 @@ void RasterRounds::record(VkCommandBuffer commands, const RasterPass::Input& inp
     raster.recordLarge(commands, input, input.findsHidden ? Phase::late : Phase::early);
 }
 
-void RasterRounds::recordFirst(VkCommandBuffer commands, const RasterPass::Input& input,
+void RasterRounds::recordFirst(const gpu::Recording& commands, const RasterPass::Input& input,
                                std::uint32_t round, gpu::Timestamps* timestamps) const
 {
     // The round before reads the list that is rewritten now.
@@ -39,7 +39,7 @@ void RasterRounds::recordFirst(VkCommandBuffer commands, const RasterPass::Input
     raster.recordBlades(commands, input, round, RasterPass::Phase::early);
 }
 
-void RasterRounds::recordPyramid(VkCommandBuffer commands, const RasterPass::Input& input,
+void RasterRounds::recordPyramid(const gpu::Recording& commands, const RasterPass::Input& input,
                                  gpu::Timestamps* timestamps) const
 {
     gpu::computeToCompute(commands);

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "gpu/context/context.h"
+#include "gpu/recording/recording.h"
 #include "gpu/recording/timestamps.h"
 #include "render/cull/moving_blades.h"
 #include "render/raster/raster_pass.h"
@@ -23,13 +24,13 @@ struct RasterRounds {
     /// Call after MovingBlades::findVisiblePatches(), with the opaque scene in the visibility. If
     /// `input` enables the occlusion test, the frame describes the pyramid and its own camera
     /// culls.
-    void record(VkCommandBuffer commands, const RasterPass::Input& input,
+    void record(const gpu::Recording& commands, const RasterPass::Input& input,
                 gpu::Timestamps* timestamps) const;
 
 private:
-    void recordFirst(VkCommandBuffer commands, const RasterPass::Input& input, std::uint32_t round,
-                     gpu::Timestamps* timestamps) const;
-    void recordPyramid(VkCommandBuffer commands, const RasterPass::Input& input,
+    void recordFirst(const gpu::Recording& commands, const RasterPass::Input& input,
+                     std::uint32_t round, gpu::Timestamps* timestamps) const;
+    void recordPyramid(const gpu::Recording& commands, const RasterPass::Input& input,
                        gpu::Timestamps* timestamps) const;
 };
 

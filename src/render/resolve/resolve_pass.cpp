@@ -141,13 +141,13 @@ void ResolvePass::describe(shared::RasterPush& push) const
     push.tiles = tiles_ ? tiles_->address() : 0;
 }
 
-void ResolvePass::recordBegin(VkCommandBuffer commands) const
+void ResolvePass::recordBegin(const gpu::Recording& commands) const
 {
     if (tiles_)
         tiles_->clear(commands);
 }
 
-void ResolvePass::recordTiles(VkCommandBuffer commands, const shared::RasterPush& push) const
+void ResolvePass::recordTiles(const gpu::Recording& commands, const shared::RasterPush& push) const
 {
     if (!target_.sortsTiles)
         return;
@@ -155,7 +155,7 @@ void ResolvePass::recordTiles(VkCommandBuffer commands, const shared::RasterPush
     gpu::memoryBarrier(commands, gpu::computeAccess, gpu::dispatchAccess);
 }
 
-void ResolvePass::record(VkCommandBuffer commands, const shared::RasterPush& push,
+void ResolvePass::record(const gpu::Recording& commands, const shared::RasterPush& push,
                          const FramePlace& frame, std::uint32_t slot) const
 {
     const Images& images = images_[slot];
@@ -173,8 +173,8 @@ void ResolvePass::record(VkCommandBuffer commands, const shared::RasterPush& pus
         frame.bind(commands, part.pipeline.layout(), resolveFrameSet);
         part.pipeline.push(commands, push);
         if (part.list == shared::tileLists) {
-            vkCmdDispatch(commands, shared::tilesAlong(size_.width, shared::rasterTile),
-                          shared::tilesAlong(size_.height, shared::rasterTile), 1);
+            commands.vk->CmdDispatch(commands, shared::tilesAlong(size_.width, shared::rasterTile),
+                                     shared::tilesAlong(size_.height, shared::rasterTile), 1);
         } else {
             tiles_->dispatch(commands, part.list);
         }
@@ -185,7 +185,7 @@ void ResolvePass::record(VkCommandBuffer commands, const shared::RasterPush& pus
         gpu::transition(commands, picture_, gpu::ImageUse::storage, gpu::ImageUse::transferSource);
 }
 
-void ResolvePass::recordSoft(VkCommandBuffer commands, const shared::RasterPush& push,
+void ResolvePass::recordSoft(const gpu::Recording& commands, const shared::RasterPush& push,
                              const gpu::ImageSet& film) const
 {
     gpu::memoryBarrier(commands, gpu::computeAccess, gpu::dispatchAccess);
@@ -195,12 +195,12 @@ void ResolvePass::recordSoft(VkCommandBuffer commands, const shared::RasterPush&
     tiles_->dispatch(commands, shared::tilesOfSoft);
 }
 
-void ResolvePass::copyTo(VkCommandBuffer commands, VkImage target) const
+void ResolvePass::copyTo(const gpu::Recording& commands, VkImage target) const
 {
     const VkImageSubresourceLayers layers{VK_IMAGE_ASPECT_COLOR_BIT, 0, 0, 1};
     const VkImageCopy region{layers, {}, layers, {}, {size_.width, size_.height, 1}};
-    vkCmdCopyImage(commands, picture_.get(), VK_IMAGE_LAYOUT_TRANSFER_SRC_OPTIMAL, target,
-                   VK_IMAGE_LAYOUT_TRANSFER_DST_OPTIMAL, 1, &region);
+    commands.vk->CmdCopyImage(commands, picture_.get(), VK_IMAGE_LAYOUT_TRANSFER_SRC_OPTIMAL,
+                              target, VK_IMAGE_LAYOUT_TRANSFER_DST_OPTIMAL, 1, &region);
 }
 
 } // namespace sward::render

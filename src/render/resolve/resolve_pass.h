@@ -7,6 +7,7 @@
 #include "gpu/pipeline/sampler.h"
 #include "gpu/pipeline/shader_library.h"
 #include "gpu/pipeline/uniform_sets.h"
+#include "gpu/recording/recording.h"
 #include "render/frame_place.h"
 #include "render/resolve/tile_classification.h"
 #include "render/target_settings.h"
@@ -38,11 +39,11 @@ public:
 
     /// Clears the lists of tiles. Needs barriers from all accesses to fills before, and from fills
     /// to dispatches after.
-    void recordBegin(VkCommandBuffer commands) const;
+    void recordBegin(const gpu::Recording& commands) const;
 
     /// Classifies the picture's tiles if the target sorts tiles. Needs barriers from compute
     /// shaders before and to dispatches after.
-    void recordTiles(VkCommandBuffer commands, const shared::RasterPush& push) const;
+    void recordTiles(const gpu::Recording& commands, const shared::RasterPush& push) const;
 
     /// Sets the destination of the slot's picture: a target in ImageUse::storage with the view
     /// `stored` (FieldRenderer::Target::stored), or, if null, the pass's own picture, which
@@ -50,11 +51,11 @@ public:
     void aim(std::uint32_t slot, VkImageView stored);
 
     /// Shades and filters the picture of the slot aimed last; clears the visibility.
-    void record(VkCommandBuffer commands, const shared::RasterPush& push, const FramePlace& frame,
-                std::uint32_t slot) const;
+    void record(const gpu::Recording& commands, const shared::RasterPush& push,
+                const FramePlace& frame, std::uint32_t slot) const;
 
     /// Copies the pass's own picture to a target in ImageUse::transferTarget.
-    void copyTo(VkCommandBuffer commands, VkImage target) const;
+    void copyTo(const gpu::Recording& commands, VkImage target) const;
 
     /// Null if tiles are not sorted.
     const TileClassification* sorted() const { return target_.sortsTiles ? &*tiles_ : nullptr; }
@@ -71,7 +72,7 @@ private:
     gpu::ComputePipeline pipeline(const gpu::ShaderLibrary& shaders, const char* name,
                                   const char* shader,
                                   std::vector<gpu::SpecializationConstant> constants) const;
-    void recordSoft(VkCommandBuffer commands, const shared::RasterPush& push,
+    void recordSoft(const gpu::Recording& commands, const shared::RasterPush& push,
                     const gpu::ImageSet& film) const;
 
     const gpu::DeviceContext* context_;

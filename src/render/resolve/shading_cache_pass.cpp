@@ -56,7 +56,7 @@ void ShadingCachePass::describe(shared::RasterPush& push) const
     push.surfaces = shadingCache_.address();
 }
 
-void ShadingCachePass::record(VkCommandBuffer commands, const shared::RasterPush& push,
+void ShadingCachePass::record(const gpu::Recording& commands, const shared::RasterPush& push,
                               const FramePlace& frame, VkBuffer groups) const
 {
     const auto found = pipelines_.find(shading_);
@@ -65,7 +65,7 @@ void ShadingCachePass::record(VkCommandBuffer commands, const shared::RasterPush
     pipeline.bind(commands);
     frame.bind(commands, pipeline.layout(), surfaceFrameSet);
     pipeline.push(commands, push);
-    vkCmdDispatchIndirect(commands, groups, 0);
+    commands.vk->CmdDispatchIndirect(commands, groups, 0);
 }
 
 } // namespace sward::render

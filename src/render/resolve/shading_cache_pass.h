@@ -5,6 +5,7 @@
 #include "gpu/pipeline/compute_pipeline.h"
 #include "gpu/pipeline/shader_library.h"
 #include "gpu/pipeline/uniform_sets.h"
+#include "gpu/recording/recording.h"
 #include "render/frame_place.h"
 #include "render/target_settings.h"
 #include "shaders/shared/passes.h"
@@ -28,8 +29,8 @@ public:
 
     /// Needs a barrier from the listing of large blades for their early pass before, and one to the
     /// resolve after. `groups` begins with a VkDispatchIndirectCommand.
-    void record(VkCommandBuffer commands, const shared::RasterPush& push, const FramePlace& frame,
-                VkBuffer groups) const;
+    void record(const gpu::Recording& commands, const shared::RasterPush& push,
+                const FramePlace& frame, VkBuffer groups) const;
 
     VkDeviceSize bytes() const { return places_.bytes() + shadingCache_.bytes(); }
 

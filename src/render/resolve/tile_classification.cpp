@@ -32,23 +32,24 @@ void TileClassification::resize(VkExtent2D size)
                        shared::sortThreads));
 }
 
-void TileClassification::clear(VkCommandBuffer commands) const
+void TileClassification::clear(const gpu::Recording& commands) const
 {
     std::array<shared::WalkLevel, shared::tileLists> none{};
     std::ranges::fill(none, shared::WalkLevel{.groups = {0, 0, 1}, .count = 0});
-    vkCmdUpdateBuffer(commands, lists_.get(), 0, sizeof none, none.data());
+    commands.vk->CmdUpdateBuffer(commands, lists_.get(), 0, sizeof none, none.data());
 }
 
-void TileClassification::record(VkCommandBuffer commands, const shared::RasterPush& push) const
+void TileClassification::record(const gpu::Recording& commands,
+                                const shared::RasterPush& push) const
 {
     sort_.bind(commands);
     sort_.push(commands, push);
-    vkCmdDispatch(commands, groups_, 1, 1);
+    commands.vk->CmdDispatch(commands, groups_, 1, 1);
 }
 
-void TileClassification::dispatch(VkCommandBuffer commands, std::uint32_t list) const
+void TileClassification::dispatch(const gpu::Recording& commands, std::uint32_t list) const
 {
-    vkCmdDispatchIndirect(commands, lists_.get(), list * sizeof(shared::WalkLevel));
+    commands.vk->CmdDispatchIndirect(commands, lists_.get(), list * sizeof(shared::WalkLevel));
 }
 
 } // namespace sward::render

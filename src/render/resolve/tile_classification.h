@@ -4,6 +4,7 @@
 #include "gpu/memory/buffer.h"
 #include "gpu/pipeline/compute_pipeline.h"
 #include "gpu/pipeline/shader_library.h"
+#include "gpu/recording/recording.h"
 #include "shaders/shared/passes.h"
 
 #include <vulkan/vulkan.h>
@@ -23,15 +24,15 @@ public:
     void resize(VkExtent2D size);
 
     /// Clears the lists; a transfer.
-    void clear(VkCommandBuffer commands) const;
+    void clear(const gpu::Recording& commands) const;
 
     /// Classifies the visibility's tiles. Needs barriers from clear() and from the drawing passes
     /// before, and one to dispatches after.
-    void record(VkCommandBuffer commands, const shared::RasterPush& push) const;
+    void record(const gpu::Recording& commands, const shared::RasterPush& push) const;
 
     /// Dispatches a work-group per tile of a list, shared::tilesOfOpaque …. Needs barriers to
     /// dispatches before and from compute shaders after.
-    void dispatch(VkCommandBuffer commands, std::uint32_t list) const;
+    void dispatch(const gpu::Recording& commands, std::uint32_t list) const;
 
     VkDeviceAddress address() const { return lists_.address(); }
     VkDeviceSize bytes() const { return lists_.bytes(); }
