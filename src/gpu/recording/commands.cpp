@@ -8,21 +8,21 @@
 
 namespace sward::gpu {
 
-void begin(VkCommandBuffer commands)
+void begin(const Recording& commands)
 {
     // Drops commands that were recorded and never submitted.
-    check(vkResetCommandBuffer(commands, 0), "vkResetCommandBuffer");
+    check(commands.vk->ResetCommandBuffer(commands, 0), "vkResetCommandBuffer");
     VkCommandBufferBeginInfo beginning{};
     beginning.sType = VK_STRUCTURE_TYPE_COMMAND_BUFFER_BEGIN_INFO;
     beginning.flags = VK_COMMAND_BUFFER_USAGE_ONE_TIME_SUBMIT_BIT;
-    check(vkBeginCommandBuffer(commands, &beginning), "vkBeginCommandBuffer");
+    check(commands.vk->BeginCommandBuffer(commands, &beginning), "vkBeginCommandBuffer");
 }
 
 void endAndSubmit(const DeviceContext& context, VkCommandBuffer commands, VkFence fence,
                   std::span<const VkSemaphoreSubmitInfo> waits,
                   std::span<const VkSemaphoreSubmitInfo> signals)
 {
-    check(vkEndCommandBuffer(commands), "vkEndCommandBuffer");
+    check(context.vk.EndCommandBuffer(commands), "vkEndCommandBuffer");
 
     VkCommandBufferSubmitInfo recorded{};
     recorded.sType = VK_STRUCTURE_TYPE_COMMAND_BUFFER_SUBMIT_INFO;
@@ -35,7 +35,7 @@ void endAndSubmit(const DeviceContext& context, VkCommandBuffer commands, VkFenc
     submit.pCommandBufferInfos = &recorded;
     submit.signalSemaphoreInfoCount = static_cast<std::uint32_t>(signals.size());
     submit.pSignalSemaphoreInfos = signals.data();
-    check(vkQueueSubmit2(context.queue, 1, &submit, fence), "vkQueueSubmit2");
+    check(context.vk.QueueSubmit2(context.queue, 1, &submit, fence), "vkQueueSubmit2");
 }
 
 void submitAndWait(const DeviceContext& context, const std::function<void(VkCommandBuffer)>& record)

@@ -3,6 +3,7 @@
 #include "gpu/context/context.h"
 #include "gpu/context/handle.h"
 #include "gpu/recording/command_pool.h"
+#include "gpu/recording/recording.h"
 
 #include <vulkan/vulkan.h>
 
@@ -14,7 +15,7 @@
 namespace sward::gpu {
 
 /// Begins recording for one submission. The device must have completed the former commands.
-void begin(VkCommandBuffer commands);
+void begin(const Recording& commands);
 
 /// Ends recording and submits. The fence, if any, is signalled on completion.
 void endAndSubmit(const DeviceContext& context, VkCommandBuffer commands, VkFence fence,
