@@ -143,10 +143,7 @@ void report(uint thread)
                   min((maxFilled[list] + rasterThreads - 1u) / rasterThreads, maxGroups));
         rounds.at[round_].groups[1] = 1u;
         rounds.at[round_].groups[2] = 1u;
-        // Tessellated blades are all in the early list.
-        if (list == 0u)
-            atomicMax(CULL_VIEW.draw.at[0].instanceCount,
-                      (maxFilled[0] + drawChunk - 1u) / drawChunk);
+        atomicMax(CULL_VIEW.draw.at[list].instanceCount, (maxFilled[list] + drawChunk - 1u) / drawChunk);
     }
 }
 

@@ -31,12 +31,15 @@ VisibleBlade visibleBlade(uint index, uint patchIndex, Patch cell, PosedLook par
     return VisibleBlade(index, patchIndex, packFactors(size.widthFactor, limit.height), size.pixels);
 }
 
+/// SeenBlade::patchIndex of a blade from the shading cache.
+const uint unknownPatch = ~0u;
+
 /// The data of a blade that all of its visible pixels share.
 struct SeenBlade {
     Ribbon ribbon;
     BladeSurface surface;
     uint blade;      ///< resident id
-    uint patchIndex; ///< patch that contains it, if freshBlade() has found it
+    uint patchIndex; ///< patch that contains it, or unknownPatch
     bool hasHistory; ///< whether the visibility history stores its quarters, see RasterPush::seen
 };
 

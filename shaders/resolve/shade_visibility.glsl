@@ -8,9 +8,12 @@ layout(local_size_x = rasterTile, local_size_y = rasterTile) in;
 Ribbon ribbonBefore(Motion motion, SeenBlade seen)
 {
     Ribbon ribbon = seen.ribbon;
-    if (motion.moves == 0u || FRAME.patchTimes.at[seen.patchIndex] != FRAME.tick)
+    if (motion.moves == 0u)
         return ribbon;
-    const Patch cell = FRAME.patches.at[seen.patchIndex];
+    const uint patchIndex = seen.patchIndex == unknownPatch ? patchOf(seen.blade) : seen.patchIndex;
+    if (FRAME.patchTimes.at[patchIndex] != FRAME.tick)
+        return ribbon;
+    const Patch cell = FRAME.patches.at[patchIndex];
     const uint place = placeOf(uvec2(FRAME.pages), seen.blade);
     const Blade blade = raised(unpackBlade(FRAME.blades.at[place], cell),
                                leafAreaLimitOf(push.cullView.at[0].view, cell).height);

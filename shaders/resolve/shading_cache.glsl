@@ -48,7 +48,7 @@ bool findCached(uint index, out SeenBlade seen)
     seen.surface.tip = uintBitsToFloat(tip);
     seen.surface.material = uintBitsToFloat(material);
     seen.blade = index;
-    seen.patchIndex = 0u;
+    seen.patchIndex = unknownPatch;
     seen.hasHistory = true;
     return true;
 }

@@ -5,6 +5,9 @@
 #include "shaders/raster/instances.glsl"
 #include "shaders/raster/put_sample.glsl"
 #include "shaders/resolve/shade_found.glsl"
+#ifdef ONE_INSTANCE
+#include "shaders/resolve/known_blade.glsl"
+#endif
 
 struct SightedBlade {
     Lens lens;
@@ -23,9 +26,16 @@ SightedBlade sightBlade(uvec2 pixel, uint what, uint samples, uint middle, float
     chooseInstance(blade.instance);
 #endif
     blade.lens = lensOf();
+#ifdef ONE_INSTANCE
+    blade.seen = seenBlade(what - push.firstBlade);
+#else
     blade.seen = freshBlade(what - push.firstBlade);
+#endif
     blade.found = find(blade.lens, blade.seen.ribbon,
                        Sighting(vec2(pixel) + samplePlace(middle), depth, vec2(pixel) + middleOf(samples)));
+#ifdef ONE_INSTANCE
+    noteSeen(blade.seen, blade.found.place.y);
+#endif
     return blade;
 }
 

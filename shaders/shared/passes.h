@@ -320,11 +320,15 @@ SHARED_LAYOUT(Motion, 80)
 
 SHARED_BUFFER(MotionArray, Motion, )
 
-struct MotionPush {
+/// Tessellation of one list of visible blades.
+struct BladePush {
     FrameArray frame;
-    MotionArray motion;
+    WalkLevelArray rounds; ///< as in UpdatePush
+    MotionArray motion;    ///< address 0: off
+    uint isLate;           ///< 1: of the blades listed from the back
+    uint reserved;
 };
-SHARED_LAYOUT(MotionPush, 16)
+SHARED_LAYOUT(BladePush, 32)
 
 /// One instance of a field in a view of a host.
 struct HostInstance {

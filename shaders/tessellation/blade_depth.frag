@@ -4,7 +4,7 @@
 #include "shaders/shared/passes.h"
 #include "shaders/shared/ribbon.h"
 
-layout(push_constant, scalar) uniform Block { ViewPush push; };
+layout(push_constant, scalar) uniform Block { BladePush push; };
 
 layout(location = 3) centroid in vec4 inPlace;
 layout(location = 8) flat in uint inSeed;

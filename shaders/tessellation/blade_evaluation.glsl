@@ -4,11 +4,7 @@
 #include "shaders/shared/ribbon.h"
 
 layout(quads, equal_spacing, ccw) in;
-#ifdef HAS_MOTION
-layout(push_constant, scalar) uniform Block { MotionPush push; };
-#else
-layout(push_constant, scalar) uniform Block { ViewPush push; };
-#endif
+layout(push_constant, scalar) uniform Block { BladePush push; };
 #define FRAME push.frame.at[0]
 
 layout(location = 0) patch in vec4 inV0;

@@ -1,11 +1,7 @@
 // One point of a blade from the rasteriser.
 #include "shaders/shared/passes.h"
 
-#ifdef HAS_MOTION
-layout(push_constant, scalar) uniform Block { MotionPush push; };
-#else
-layout(push_constant, scalar) uniform Block { ViewPush push; };
-#endif
+layout(push_constant, scalar) uniform Block { BladePush push; };
 
 #include "shaders/blade/blade_light.glsl"
 #include "shaders/tessellation/blade_varyings.glsl"

@@ -1,11 +1,7 @@
 // One vertex per visible blade: unpacks the blade and computes its pose and colours.
 #include "shaders/shared/passes.h"
 
-#ifdef HAS_MOTION
-layout(push_constant, scalar) uniform Block { MotionPush push; };
-#else
-layout(push_constant, scalar) uniform Block { ViewPush push; };
-#endif
+layout(push_constant, scalar) uniform Block { BladePush push; };
 
 #include "shaders/blade/blade_colors.glsl"
 #include "shaders/tessellation/blade_varyings.glsl"
@@ -48,11 +44,12 @@ BladeVaryings varyingsOf(Ribbon ribbon, BladeSurface surface)
 void main()
 {
     // The last instance has room for more blades than the list holds: the additional ones have no pixels.
-    const uint place = gl_InstanceIndex * drawChunk + gl_VertexIndex;
+    const uint number = gl_InstanceIndex * drawChunk + gl_VertexIndex;
     outWhich = uvec3(0u);
-    if (place >= min(FRAME.draw.at[0].cullResults[cullResultDrawn], FRAME.visibleCapacity))
+    if (number >= min(push.rounds.at[push.isLate].count, FRAME.visibleCapacity))
         return;
-    const VisibleBlade visible = FRAME.visible.at[place];
+    const VisibleBlade visible =
+        FRAME.visible.at[push.isLate != 0u ? FRAME.visibleCapacity - 1u - number : number];
     const DrawnBlade drawn = drawnBlade(visible);
     const Ribbon ribbon = drawn.ribbon;
     outV0 = vec4(ribbon.v0, ribbon.width);

@@ -13,7 +13,7 @@
 #include "render/field_target.h"
 #include "render/frame_time.h"
 #include "render/preview/field_renderer_parts.h"
-#include "render/tessellation/geometry_choice.h"
+#include "render/preview/geometry_choice.h"
 #include "shaders/shared/passes.h"
 
 #include <algorithm>
@@ -87,8 +87,8 @@ FieldRenderer::Parts::Parts(const gpu::DeviceContext& deviceContext, const field
                                           targetSettings))
     , opaqueRaster(madeIf<OpaqueRasterPass>(geometry == Geometry::raster, context, shaders, ground,
                                             targetSettings))
-    , raster(madeIf<RasterPass>(geometry == Geometry::raster, context, shaders, targetSettings,
-                                static_cast<std::uint32_t>(field.blades.size())))
+    , raster(madeIf<ViewerRaster>(geometry == Geometry::raster, context, targetSettings,
+                                  static_cast<std::uint32_t>(field.blades.size())))
     , resolve(madeIf<ResolvePass>(geometry == Geometry::raster, context, shaders, targetSettings,
                                   wanted.framesInFlight))
     , plan(planWithin(field))
@@ -294,12 +294,12 @@ void FieldRenderer::record(VkCommandBuffer buffer, const Target& target, const C
     const bool looksForHidden = (settings.cullMask & shared::cullOcclusion) != 0;
     const bool findsReasons = settings.debug == DebugMode::reason;
     const bool findsHidden = parts.findsHidden(settings);
-    const RasterPass::Input raster{
+    const ViewerRaster::Input raster{
         .field = &parts.blades.buffers(),
         .frame = parts.slots[slot].frame.place(),
         .cullView = findsReasons ? parts.slots[slot].listing.place() : cullView,
         .firstBlade = parts.raster ? parts.opaqueRaster->firstBlade() : 1,
-        .findsHidden = findsHidden};
+        .hasTwoPasses = findsHidden};
 
     parts.blades.begin(commands, time, slot);
     // Blades hidden by the ground are neither moved nor drawn.

@@ -40,7 +40,11 @@ Grass::Parts::Parts(const gpu::DeviceContext& deviceContext, const Settings& wan
     , walk(context, shaders)
     , update(context)
     , shadowMaps(context, wanted.framesInFlight, wanted.maxViews)
-    , raster(context, shadowMaps, {wanted.framesInFlight, wanted.maxViews, wanted.keepsMotion})
+    , raster(context, shadowMaps,
+             {.slots = wanted.framesInFlight,
+              .maxViews = wanted.maxViews,
+              .keepsMotion = wanted.keepsMotion,
+              .groupsDrawLarge = !wanted.rastersForCpu.value_or(context.isCpu())})
     , frameOfSlot(wanted.framesInFlight, 0)
     , depths(wanted.framesInFlight * wanted.maxViews)
 {
@@ -107,15 +111,8 @@ void Grass::begin(std::uint32_t slot, const GrassFrame& frame)
     parts.isUpdated = false;
     parts.time = frame.time;
 
-    std::vector<shared::DepthPyramid> pyramids;
-    for (const HostView& view : frame.views) {
-        const auto index = static_cast<std::uint32_t>(pyramids.size());
-        const bool hides = (frame.settings.cullMask & shared::cullOcclusion) != 0;
-        Parts::ViewDepth& depth = parts.depthOf(index);
-        depth.pyramid = nullptr;
-        pyramids.push_back(hides ? parts.lookAtDepth(view, depth) : shared::DepthPyramid{});
-    }
     parts.instances.clear();
+    std::vector<PlacedField*> uploaded;
     for (const auto& [id, field] : parts.placed) {
         if (!field->isUploaded())
             continue;
@@ -123,23 +120,55 @@ void Grass::begin(std::uint32_t slot, const GrassFrame& frame)
             field->edits()->begin();
         if (field->blades().bladeCount() > 0)
             parts.instances.push_back(field.get());
-        field->write(slot, frame, parts.frame, pyramids);
-        const shared::Environment& environment = field->environment();
-        parts.moving = {environment.wind.counts, environment.colliderCount > 0,
-                        UpdateCullPass::Role::move, parts.settings.keepsMotion, true};
-        parts.update.prepare(parts.shaders, parts.moving);
+        uploaded.push_back(field.get());
     }
     parts.drawings.clear();
-    for (const HostView& view : frame.views)
-        parts.drawings.push_back(
-            {.obstacle = parts.raster.obstacle(view, parts.instances),
-             .storeObstacle = parts.raster.storeObstacle(view, parts.instances, frame.settings),
-             .samples = view.samples,
-             .hasReversedZ = view.hasReversedZ});
+    std::vector<ViewPyramids> pyramids;
+    for (const HostView& view : frame.views) {
+        Parts::ViewDrawing drawing{
+            .obstacle = parts.raster.obstacle(view, parts.instances),
+            .storeObstacle = parts.raster.storeObstacle(view, parts.instances, frame.settings),
+            .samples = view.samples,
+            .hasReversedZ = view.hasReversedZ};
+        drawing.hasTwoPasses = drawing.obstacle == nullptr &&
+                               parts.raster.hasTwoPasses(view, parts.instances, frame.settings);
+        parts.drawings.push_back(drawing);
+        pyramids.push_back(
+            parts.lookAtDepth(view, drawing, frame.settings,
+                              parts.depthOf(static_cast<std::uint32_t>(pyramids.size()))));
+    }
+    const auto viewCount = static_cast<std::uint32_t>(frame.views.size());
+    for (PlacedField* const field : uploaded) {
+        field->write(slot, frame, parts.frame, pyramids);
+        for (std::uint32_t view = 0; view < viewCount; ++view)
+            if (parts.drawings[view].hasTwoPasses)
+                field->expectHistory(view);
+    }
     parts.shadowMaps.begin(slot, frame.light, frame.views);
     parts.raster.begin(parts.shaders, slot, frame.views, parts.instances, frame.settings);
-    parts.viewCount = static_cast<std::uint32_t>(frame.views.size());
+    parts.movesWithCull = viewCount == 1;
+    for (const PlacedField* const field : uploaded)
+        parts.update.prepare(parts.shaders, parts.movingOf(*field));
+    parts.viewCount = viewCount;
     parts.hasBegun = true;
+}
+
+UpdateCullPass::Variant Grass::Parts::movingOf(const PlacedField& field) const
+{
+    using Role = UpdateCullPass::Role;
+    const shared::Environment& environment = field.environment();
+    UpdateCullPass::Variant variant{.windCounts = environment.wind.counts,
+                                    .hasColliders = environment.colliderCount > 0,
+                                    .role = movesWithCull ? Role::moveAndCull : Role::move,
+                                    .keepsBefore = settings.keepsMotion,
+                                    .keepsEtas = field.states().hasEtas()};
+    if (movesWithCull) {
+        variant.testsSmall = raster.drawsLargeByGroups();
+        // Streaming thins out what is not in memory.
+        variant.features =
+            field.features() | (field.blades().isPaged() ? shared::featureThinning : 0u);
+    }
+    return variant;
 }
 
 /// A frame has begun, and there is a buffer to record into.
@@ -181,17 +210,32 @@ void Grass::Parts::take(const ResidentField::Parts& field) const
     field.grass = owner;
 }
 
-shared::DepthPyramid Grass::Parts::lookAtDepth(const HostView& view, ViewDepth& depth)
+ViewPyramids Grass::Parts::lookAtDepth(const HostView& view, const ViewDrawing& drawing,
+                                       const FrameSettings& frameSettings, ViewDepth& depth)
 {
+    depth.pyramid = nullptr;
+    depth.isOwn = drawing.obstacle == nullptr && HostRaster::hasOwnPyramid(view, frameSettings) &&
+                  (view.depth || drawing.hasTwoPasses);
+    const bool hides = (frameSettings.cullMask & shared::cullOcclusion) != 0;
     // The view's depth does not apply to a frozen camera.
-    if (!view.depth || view.cullViewFrom)
+    const bool readsDepth = hides && view.depth && !view.cullViewFrom;
+    if (!readsDepth && !depth.isOwn)
         return {};
-    const PyramidPass::Settings wanted{view.depth->samples, view.hasReversedZ, view.depth->slack};
-    const auto made = pyramids.try_emplace({wanted.samples, wanted.hasReversedZ, wanted.slack},
-                                           context, shaders, wanted);
-    depth.pyramid = &made.first->second;
-    depth.pyramid->fit(depth.cells, view.depth->view, view.depth->layout, view.size);
-    return depth.cells.layout;
+    const PyramidPass::Settings wanted =
+        readsDepth
+            ? PyramidPass::Settings{view.depth->samples, view.hasReversedZ, view.depth->slack}
+            : PyramidPass::Settings{};
+    PyramidPass& pass = pyramids
+                            .try_emplace({wanted.samples, wanted.hasReversedZ, wanted.slack},
+                                         context, shaders, wanted)
+                            .first->second;
+    if (!readsDepth) {
+        pass.fit(depth.cells, view.size);
+        return {.raster = depth.cells.layout};
+    }
+    depth.pyramid = &pass;
+    pass.fit(depth.cells, view.depth->view, view.depth->layout, view.size);
+    return {.culling = depth.cells.layout, .raster = depth.cells.layout};
 }
 
 FrameStats Grass::stats(std::uint32_t view, std::uint32_t slot) const

@@ -12,6 +12,7 @@
 
 #include <cstdint>
 #include <memory>
+#include <optional>
 
 namespace sward::render {
 
@@ -36,6 +37,7 @@ public:
         std::uint32_t maxViews = 4;            ///< per frame
         bool keepsMotion = false;              ///< for motion vectors; 4 bytes per blade
         std::uint32_t maxListed = 0xffffffffu; ///< blades per instance and view, 16 bytes each
+        std::optional<bool> rastersForCpu{};   ///< as FieldRendererSettings::rastersForCpu
     };
 
     Grass(const gpu::DeviceContext& context, const Settings& settings); ///< context must outlive it

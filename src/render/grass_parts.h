@@ -30,8 +30,12 @@ struct Grass::Parts {
         std::uint32_t lastFrame = 0;
     };
 
-    /// How recordCull() lists blades.
+    /// How recordCull() lists blades that recordUpdate() has moved.
     static constexpr UpdateCullPass::Variant culling{0, false, UpdateCullPass::Role::cull};
+
+    /// How the blades of an instance are moved: by recordUpdate() for all views, or by the
+    /// recordCull() of the only view.
+    UpdateCullPass::Variant movingOf(const PlacedField& field) const;
 
     const gpu::DeviceContext& context;
     Settings settings;
@@ -52,9 +56,9 @@ struct Grass::Parts {
     std::uint32_t slot = 0;
     std::uint32_t viewCount = 0;
     bool hasBegun = false;
-    bool isUpdated = false; ///< recordUpdate() has been called
+    bool isUpdated = false;     ///< recordUpdate() has been called
+    bool movesWithCull = false; ///< of one view: recordCull() moves the blades, too
     double time = 0.0;
-    UpdateCullPass::Variant moving;
     std::vector<const PlacedField*> instances; ///< with blades; null: removed since begin()
 
     /// How a view is drawn.
@@ -63,15 +67,17 @@ struct Grass::Parts {
         const char* storeObstacle = nullptr; ///< why it is not stored; null: none
         std::uint32_t samples = 1;
         bool hasReversedZ = true;
-        bool isCulled = false;   ///< recordCull() has been called
-        bool isRastered = false; ///< in this frame, and stored if there is no obstacle
+        bool hasTwoPasses = false; ///< see HostRaster::hasTwoPasses()
+        bool isCulled = false;     ///< recordCull() has been called
+        bool isRastered = false;   ///< in this frame, and stored if there is no obstacle
     };
     std::vector<ViewDrawing> drawings;
 
     /// Depth pyramid of a view in a slot.
     struct ViewDepth {
         DepthCells cells;
-        const PyramidPass* pyramid = nullptr; ///< null: no occlusion test
+        const PyramidPass* pyramid = nullptr; ///< of the host's depth; null: none
+        bool isOwn = false; ///< the rasteriser fills it from the visibility, not the pass
     };
     std::vector<ViewDepth> depths;                                          ///< [slot][view]
     std::map<std::tuple<std::uint32_t, bool, float>, PyramidPass> pyramids; ///< by their settings
@@ -84,7 +90,8 @@ struct Grass::Parts {
     std::uint32_t settledAt() const { return settledTick(time); } ///< in the wind of the frame
 
     ViewDepth& depthOf(std::uint32_t view) { return depths[slot * settings.maxViews + view]; }
-    shared::DepthPyramid lookAtDepth(const HostView& view, ViewDepth& depth);
+    ViewPyramids lookAtDepth(const HostView& view, const ViewDrawing& drawing,
+                             const FrameSettings& settings, ViewDepth& depth);
 
     void take(const ResidentField::Parts& field) const;
     void recordEdits(const gpu::Recording& commands) const;

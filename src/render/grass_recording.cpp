@@ -72,13 +72,16 @@ void Grass::recordUpdate(VkCommandBuffer buffer)
     parts.streaming.record(commands, parts.slot, parts.settledAt(), parts.instances);
     parts.shadowMaps.record(commands);
 
+    // The blades of a single view are moved when they are culled.
+    if (parts.movesWithCull)
+        return;
     // Each view moves only blades that no earlier view has moved.
     parts.walkAll(commands, 0, parts.viewCount, true);
     for (std::uint32_t view = 0; view < parts.viewCount; ++view) {
         if (view > 0)
             gpu::computeToCompute(commands);
         parts.forEach([&](const PlacedField& field) {
-            parts.update.record(commands, field.blades(), field.list(view), parts.moving,
+            parts.update.record(commands, field.blades(), field.list(view), parts.movingOf(field),
                                 UpdateCullPass::Scope::visible,
                                 {.frame = field.updateFrame(parts.slot, view),
                                  .views = field.updateFrame(parts.slot, 0).address,
@@ -102,8 +105,11 @@ void Grass::recordCull(VkCommandBuffer buffer, std::uint32_t view)
     const gpu::LabelScope label(parts.context, commands, "grass/cull");
     gpu::memoryBarrier(commands, gpu::anyAccess, gpu::fillAccess);
     parts.forEach([&](const PlacedField& field) { field.list(view).clear(commands); });
+    const Parts::ViewDrawing& drawing = parts.drawings[view];
     const Parts::ViewDepth& depth = parts.depthOf(view);
-    if (depth.pyramid != nullptr) {
+    if (drawing.hasTwoPasses)
+        parts.forEach([&](PlacedField& field) { field.history(view).begin(commands); });
+    if (depth.pyramid != nullptr && !depth.isOwn) {
         // All fields share the view's pyramid: fill it once.
         bool isFilled = false;
         parts.forEach([&](const PlacedField& field) {
@@ -112,12 +118,23 @@ void Grass::recordCull(VkCommandBuffer buffer, std::uint32_t view)
                                       field.cullView(parts.slot, view).address);
         });
     }
-    gpu::memoryBarrier(commands, gpu::fillAccess, gpu::dispatchAccess);
+    if (drawing.obstacle == nullptr)
+        parts.raster.recordBegin(commands, parts.slot, view,
+                                 depth.pyramid != nullptr ? &depth.cells.picture : nullptr,
+                                 depth.isOwn && depth.pyramid != nullptr);
+    else
+        gpu::memoryBarrier(commands, gpu::fillAccess, gpu::dispatchAccess);
     parts.walkAll(commands, view, view + 1, false);
     parts.forEach([&](const PlacedField& field) {
-        parts.update.record(commands, field.blades(), field.list(view), Parts::culling,
-                            UpdateCullPass::Scope::visible,
-                            {.frame = field.cullView(parts.slot, view)});
+        UpdateCullPass::Input input{.frame = field.cullView(parts.slot, view)};
+        if (drawing.hasTwoPasses)
+            input.history = {.address = field.history(view).address(),
+                             .frame = field.history(view).frame()};
+        if (parts.movesWithCull)
+            input.before = field.states().before();
+        parts.update.record(commands, field.blades(), field.list(view),
+                            parts.movesWithCull ? parts.movingOf(field) : Parts::culling,
+                            UpdateCullPass::Scope::visible, input);
     });
     gpu::memoryBarrier(commands, gpu::computeAccess, gpu::anyAccess);
     parts.forEach(
@@ -135,10 +152,14 @@ void Grass::recordRaster(VkCommandBuffer buffer, std::uint32_t view)
         return;
     const gpu::Recording commands(parts.context, buffer);
     const gpu::LabelScope label(parts.context, commands, "grass/raster");
-    const Parts::ViewDepth& depth = parts.depthOf(view);
-    parts.raster.record(commands, parts.slot, view, parts.instances,
-                        depth.pyramid != nullptr ? &depth.cells.picture : nullptr);
+    parts.raster.record(commands, parts.slot, view, parts.instances);
     parts.drawings[view].isRastered = true;
+    // The late pass has counted hidden blades.
+    if (!parts.drawings[view].hasTwoPasses)
+        return;
+    parts.forEach(
+        [&](const PlacedField& field) { field.recordCounts(commands, parts.slot, view); });
+    gpu::memoryBarrier(commands, gpu::transferAccess, gpu::hostAccess);
 }
 
 /// The target is of the device, and suits the view.
@@ -205,13 +226,20 @@ void Grass::recordDraw(VkCommandBuffer buffer, std::uint32_t view, const BladeTa
     parts.forEach([&](const PlacedField& field) {
         if (field.blades().bladeCount() == 0)
             return;
-        const VkDeviceAddress drawn = field.drawnFrame(parts.slot, view).address;
-        if (target.settings().writesMotion)
-            pipeline.push(commands, shared::MotionPush{drawn, field.motion(parts.slot, view)});
-        else
-            pipeline.push(commands, shared::ViewPush{drawn});
-        commands.vk->CmdDrawIndirect(commands, field.list(view).draw().get(), 0, 1,
-                                     sizeof(shared::DrawArguments));
+        // A late list is that of a view with two passes, in a target that the view does not suit.
+        for (std::uint32_t list = 0; list < (drawing.hasTwoPasses ? 2u : 1u); ++list) {
+            pipeline.push(commands,
+                          shared::BladePush{.frame = field.drawnFrame(parts.slot, view).address,
+                                            .rounds = field.list(view).rounds().address(),
+                                            .motion = target.settings().writesMotion
+                                                          ? field.motion(parts.slot, view)
+                                                          : 0,
+                                            .isLate = list,
+                                            .reserved = 0});
+            commands.vk->CmdDrawIndirect(commands, field.list(view).draw().get(),
+                                         list * sizeof(shared::DrawArguments), 1,
+                                         sizeof(shared::DrawArguments));
+        }
     });
 }
 

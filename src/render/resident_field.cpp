@@ -87,7 +87,8 @@ BakedBlades bladesOf(const gpu::DeviceContext& context, gpu::BufferUpload& uploa
 {
     if (edited != nullptr)
         return {context, upload, field, *edited};
-    return {context, upload, field, shared::walkStart, pagesOf(field, budget, others)};
+    return {context, upload, field, context.isCpu() ? shared::walkStart : shared::walkStartOfGpu,
+            pagesOf(field, budget, others)};
 }
 
 } // namespace
@@ -101,6 +102,7 @@ ResidentField::Parts::Parts(const gpu::DeviceContext& deviceContext, const field
     , edited(editedOf(field, wanted, cover.bytes()))
     , blades(bladesOf(context, upload, field, wanted, edited.get(), cover.bytes()))
     , shape{field.origin, field.bounds(), blades.bladeSize()}
+    , looks(looksOf(field))
     , defaults(*field.defaults)
 {
     const gpu::ShaderLibrary shaders(embedded::shaders());

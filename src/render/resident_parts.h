@@ -2,6 +2,7 @@
 
 #include "gpu/memory/staged_upload.h"
 #include "render/field/baked_blades.h"
+#include "render/field/field_looks.h"
 #include "render/field/grass_cover.h"
 #include "render/frame.h"
 #include "render/resident_edits.h"
@@ -25,6 +26,7 @@ struct ResidentField::Parts {
     std::unique_ptr<EditedField> edited; ///< until `edits` takes it
     BakedBlades blades;
     FieldShape shape;
+    FieldLooks looks;
     field::Defaults defaults;
     std::optional<field::OwnedField> source; ///< what `streaming` reads
     std::unique_ptr<Streaming> streaming;    ///< if not all blades are resident

@@ -1,8 +1,8 @@
 #pragma once
 
+#include "render/field/field_looks.h"
 #include "render/frame_settings.h"
 #include "shaders/shared/debug_mode.h"
-#include "shaders/shared/shape.h"
 
 #include <vulkan/vulkan.h>
 
@@ -19,9 +19,7 @@ struct TargetSettings {
     std::uint32_t samples = 4;
     std::uint32_t debugMode = shared::debugAsTold; ///< see knownDebugMode()
     bool mayBePaged = false;                       ///< some blades may not be resident
-    bool mayFold = true;                           ///< there are folded blades
-    bool mayHaveOrgans = true;                     ///< there are compound plants
-    std::uint32_t onlyShape = shared::shapeCount;  ///< of all blades, if they share one
+    FieldLooks looks{};                            ///< of the field
     bool groupsDrawLarge = true; ///< work-groups draw large blades; else one thread per blade
     bool sortsTiles = false;     ///< tile classification for shading
 };

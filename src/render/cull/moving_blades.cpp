@@ -93,13 +93,13 @@ void MovingBlades::findVisiblePatches(const gpu::Recording& commands, VkDeviceAd
 }
 
 void MovingBlades::moveAndList(const gpu::Recording& commands, const FramePlace& cullView,
-                               std::uint32_t round, UpdateCullPass::Shown shown,
+                               std::uint32_t round, UpdateCullPass::History history,
                                gpu::Timestamps* timestamps) const
 {
     const DispatchScope scope(*context_, commands, timestamps, "update");
     update_.record(commands, buffers_.baked(), buffers_.list(), variant_,
                    UpdateCullPass::Scope::visible,
-                   {.frame = cullView, .round = round, .shown = shown});
+                   {.frame = cullView, .round = round, .history = history});
 }
 
 void MovingBlades::moveAll(const gpu::Recording& commands, const FramePlace& frame) const

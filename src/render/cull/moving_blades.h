@@ -67,10 +67,10 @@ public:
     void findVisiblePatches(const gpu::Recording& commands, VkDeviceAddress cullView,
                             gpu::Timestamps* timestamps) const;
 
-    /// Moves, culls and lists the blades of one round of visible patches. Blades that `shown` does
-    /// not contain are listed from the back.
+    /// Moves, culls and lists the blades of one round of visible patches. Blades that the
+    /// visibility history does not contain are listed from the back.
     void moveAndList(const gpu::Recording& commands, const FramePlace& cullView,
-                     std::uint32_t round, UpdateCullPass::Shown shown,
+                     std::uint32_t round, UpdateCullPass::History history,
                      gpu::Timestamps* timestamps) const;
 
     /// Only moves all blades.

@@ -111,7 +111,7 @@ void UpdateCullPass::bind(const gpu::Recording& commands, Pipeline wanted,
                                                .nonEmptyPatches = blades.nonEmptyPatches(),
                                                .views = input.views,
                                                .before = input.before,
-                                               .seenBefore = input.shown.quarters,
+                                               .seenBefore = input.history.address,
                                                .nonEmptyPatchCount = blades.entryCount(),
                                                .onlyUpdate = scope == Scope::all ? 1u : 0u,
                                                .firstLive = input.round * found.roundPatches(),
@@ -119,7 +119,7 @@ void UpdateCullPass::bind(const gpu::Recording& commands, Pipeline wanted,
                                                .round = input.round,
                                                .lateRound = found.roundCount() + input.round,
                                                .viewCount = input.viewCount,
-                                               .frame = input.shown.frame});
+                                               .frame = input.history.frame});
 }
 
 void UpdateCullPass::record(const gpu::Recording& commands, const BakedBlades& blades,

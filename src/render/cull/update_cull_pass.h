@@ -56,9 +56,9 @@ public:
     };
 
     /// Visibility history of blades.
-    struct Shown {
-        VkDeviceAddress quarters = 0; ///< see shared::RasterPush::seen; 0: all are listed in front
-        std::uint32_t frame = 0;      ///< frame number; see shared::forgetsSeen()
+    struct History {
+        VkDeviceAddress address = 0; ///< see shared::RasterPush::seen; 0: all are listed in front
+        std::uint32_t frame = 0;     ///< frame number; see shared::forgetsSeen()
     };
 
     /// Inputs and outputs besides blades and lists.
@@ -68,7 +68,7 @@ public:
         VkDeviceAddress views = 0;   ///< contiguous frames for which Role::move moves blades …
         std::uint32_t viewCount = 0; ///< … and their number
         VkDeviceAddress before = 0;  ///< where the variant stores former states
-        Shown shown{};
+        History history{};
         std::uint32_t maxGroups = shared::maxGroups; ///< limit of work-groups for Scope::all
     };
 

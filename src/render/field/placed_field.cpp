@@ -58,7 +58,7 @@ PlacedField::PlacedField(const gpu::DeviceContext& context, const FieldInstance&
     , instance_(instance)
     , settings_(settings)
     , states_(context, instance.field->parts().blades,
-              {.before = settings.keepsMotion, .etas = true})
+              {.before = settings.keepsMotion, .etas = instance.field->parts().blades.isPaged()})
     , moved_(countsBuffer(context, "instance/moved", 1, gpu::MemoryUse::device))
     , replaced_(settings.framesInFlight)
 {
@@ -87,7 +87,7 @@ PlacedField::PlacedField(const gpu::DeviceContext& context, const FieldInstance&
 }
 
 void PlacedField::write(std::uint32_t slot, const GrassFrame& frame, std::uint32_t number,
-                        std::span<const shared::DepthPyramid> pyramids)
+                        std::span<const ViewPyramids> pyramids)
 {
     const ResidentField::Parts& field = instance_.field->parts();
     const Placement& placement = instance_.placement;
@@ -95,6 +95,11 @@ void PlacedField::write(std::uint32_t slot, const GrassFrame& frame, std::uint32
     while (lists_.size() < frame.views.size())
         lists_.emplace_back(*context_, field.blades, std::numeric_limits<std::uint32_t>::max(),
                             settings_.maxListed);
+    histories_.resize(lists_.size());
+    if (!frame.colliders.empty() && !states_.hasEtas()) {
+        states_.keepEtas(*context_);
+        hasNewEtas_ = true;
+    }
     std::ranges::fill(slots_[slot].counts.mapped(), std::byte{0});
     slots_[slot].blades = field.blades.bladeCount();
 
@@ -142,11 +147,15 @@ void PlacedField::write(std::uint32_t slot, const GrassFrame& frame, std::uint32
         if (view.cullViewFrom)
             look(cullView, seenBy(*view.cullViewFrom * toWorld));
         seen_.push_back(cullView.view);
-        cullView.pyramid = pyramids[i];
+        cullView.pyramid = pyramids[i].culling;
+        if (i == 0)
+            features_ = shared::featuresOf(cullView.view, cullView.pages != 0,
+                                           cullView.cullResults != 0, cullView.organs.address != 0);
         shared::Frame updated = cullView;
         updated.draw = moved_.address();
         updated.pyramid = {};
         updated.view.cullMask &= ~shared::cullOcclusion;
+        drawn.pyramid = pyramids[i].raster;
         put(slot, forRaster, i, drawn);
         project(drawn, glm::mat4(toClip), drawn.view.eye);
         put(slot, forUpdate, i, updated);
@@ -160,6 +169,12 @@ void PlacedField::write(std::uint32_t slot, const GrassFrame& frame, std::uint32
     timeBefore_ = frame.time;
 }
 
+void PlacedField::expectHistory(std::uint32_t view)
+{
+    if (histories_[view].address() == 0 && blades().placeCount() > 0)
+        histories_[view] = VisibilityHistory(*context_, blades().placeCount());
+}
+
 /// Makes room for what edits have added to its field.
 void PlacedField::followEdits()
 {
@@ -168,6 +183,10 @@ void PlacedField::followEdits()
     states_.update(*context_, blades(), replaced_.waiting());
     for (VisibleBlades& list : lists_)
         list.update(*context_, blades(), replaced_.waiting());
+    for (VisibilityHistory& history : histories_)
+        if (!history.hasRoomFor(blades().placeCount()))
+            replaced_.waiting().push_back(
+                {history.grow(*context_, blades().placeCount()), VK_NULL_HANDLE});
 }
 
 void PlacedField::recordReplaced(const gpu::Recording& commands, std::uint32_t slot)
@@ -258,10 +277,13 @@ FramePlace PlacedField::rasterFrame(std::uint32_t slot, std::uint32_t view) cons
 void PlacedField::recordStart(const gpu::Recording& commands, double time)
 {
     // Treats every blade as settled: none is still moving from the straight pose of the bake.
-    if (!std::exchange(hasMoved_, true))
+    const bool hadMoved = std::exchange(hasMoved_, true);
+    if (!hadMoved)
         states_.rest(commands, settledTick(time));
     else if (!movesOn(movedTo_, time))
         states_.settle(commands, settledTick(time));
+    if (std::exchange(hasNewEtas_, false) && hadMoved)
+        states_.clearEtas(commands);
     movedTo_ = time;
 }
 
@@ -291,7 +313,8 @@ void PlacedField::addCounts(std::uint32_t slot, std::uint32_t view, FrameStats& 
     sum.total += total;
     sum.resident += resident;
     sum.streamedOut += total - resident;
-    sum.simulated += counts[0].simulated;
+    // One of them is 0: the blades of a single view are moved when they are culled.
+    sum.simulated += counts[0].simulated + counts[1 + view].simulated;
     sum.drawn += cullResults[shared::cullResultDrawn];
     sum.lod += cullResults[shared::cullResultLod];
     sum.culledPatch += cullResults[shared::cullResultPatch];
@@ -306,6 +329,8 @@ VkDeviceSize PlacedField::bytes() const
     VkDeviceSize sum = states_.bytes() + moved_.bytes();
     for (const VisibleBlades& list : lists_)
         sum += list.bytes();
+    for (const VisibilityHistory& history : histories_)
+        sum += history.bytes();
     for (const Slot& slot : slots_)
         sum += slot.constants.bytes() + slot.counts.bytes();
     return sum;

@@ -5,6 +5,7 @@
 #include "gpu/recording/recording.h"
 #include "render/field/blade_states.h"
 #include "render/field/outgrown.h"
+#include "render/field/visibility_history.h"
 #include "render/field/visible_blades.h"
 #include "render/frame_slot.h"
 #include "render/grass.h"
@@ -20,6 +21,12 @@
 
 namespace sward::render {
 
+/// What hides blades in a view.
+struct ViewPyramids {
+    shared::DepthPyramid culling = {}; ///< for the cull; without depths it hides nothing
+    shared::DepthPyramid raster = {};  ///< for the late pass
+};
+
 /// One instance: a field's blades with their own state, and the constants of its frames.
 class PlacedField {
 public:
@@ -30,7 +37,15 @@ public:
 
     /// Writes frame `number` for the shaders, and allocates lists for its views if needed.
     void write(std::uint32_t slot, const GrassFrame& frame, std::uint32_t number,
-               std::span<const shared::DepthPyramid> pyramids);
+               std::span<const ViewPyramids> pyramids);
+
+    /// Makes the visibility history of a view, unless there is one.
+    void expectHistory(std::uint32_t view);
+    VisibilityHistory& history(std::uint32_t view) { return histories_[view]; }
+    const VisibilityHistory& history(std::uint32_t view) const { return histories_[view]; }
+
+    /// What the frame written last uses in its first view: see shared::featuresOf().
+    std::uint32_t features() const { return features_; }
 
     bool isInFrame(std::uint32_t number) const { return written_ == number; }
     bool isUploaded() const { return instance_.field->isUploaded(); }
@@ -38,6 +53,10 @@ public:
     const BakedBlades& blades() const { return instance_.field->parts().blades; }
     const BladeStates& states() const { return states_; }
     const VisibleBlades& list(std::uint32_t view) const { return lists_[view]; }
+    const FieldLooks& looks() const { return instance_.field->parts().looks; }
+
+    /// Whether a view's list has room for every blade.
+    bool listsHoldAll() const { return settings_.maxListed >= blades().placeCount(); }
     const gpu::Buffer& moved() const { return moved_; } ///< shared::DrawArguments of the update
 
     /// Frames of one view: for moving its blades, for culling, and for drawing with either
@@ -105,6 +124,9 @@ private:
     BladeStates states_;
     gpu::Buffer moved_;
     std::vector<VisibleBlades> lists_;
+    std::vector<VisibilityHistory> histories_; ///< by view; empty ones unless there are two passes
+    std::uint32_t features_ = shared::featureAll;
+    bool hasNewEtas_ = false; ///< the collision state is uninitialised
     ReplacedBuffers replaced_;
     std::vector<Slot> slots_;
     std::vector<shared::Eyepoint> seen_;

@@ -4,6 +4,7 @@
 #include "shaders/shared/passes.h"
 
 #include <algorithm>
+#include <array>
 #include <utility>
 
 namespace sward::render {
@@ -40,7 +41,7 @@ void VisibleBlades::fit(const gpu::DeviceContext& context, const BakedBlades& bl
     levels_ = allocate(context, "view/levels", (nearLevel_ + 1) * sizeof(shared::WalkLevel));
     visible_ = allocate(context, "view/visible", listLength_ * sizeof(shared::VisibleBlade));
     rounds_ = allocate(context, "view/rounds", 2 * roundCount_ * sizeof(shared::WalkLevel));
-    draw_ = allocate(context, "view/draw", sizeof(shared::DrawArguments));
+    draw_ = allocate(context, "view/draw", 2 * sizeof(shared::DrawArguments));
 }
 
 void VisibleBlades::update(const gpu::DeviceContext& context, const BakedBlades& blades,
@@ -86,9 +87,10 @@ void VisibleBlades::describe(shared::Frame& frame) const
 
 void VisibleBlades::clear(const gpu::Recording& commands) const
 {
-    shared::DrawArguments none = {};
-    none.vertexCount = shared::drawChunk;
-    commands.vk->CmdUpdateBuffer(commands, draw_.get(), 0, sizeof none, &none);
+    std::array<shared::DrawArguments, 2> none{};
+    for (shared::DrawArguments& list : none)
+        list.vertexCount = shared::drawChunk;
+    commands.vk->CmdUpdateBuffer(commands, draw_.get(), 0, sizeof none, none.data());
     commands.vk->CmdFillBuffer(commands, rounds_.get(), 0, VK_WHOLE_SIZE, 0);
     commands.vk->CmdFillBuffer(commands, levels_.get(), 0, VK_WHOLE_SIZE, 0);
 }

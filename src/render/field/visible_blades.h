@@ -44,7 +44,8 @@ public:
     /// Index of the last level, for patches that colliders may touch. The walk's queue holds their
     /// list, once the walk has ended.
     std::uint32_t nearLevel() const { return nearLevel_; }
-    const gpu::Buffer& draw() const { return draw_; }       ///< shared::DrawArguments
+    /// shared::DrawArguments of the early list, then of the late one.
+    const gpu::Buffer& draw() const { return draw_; }
     const gpu::Buffer& visible() const { return visible_; } ///< shared::VisibleBlade
     VkDeviceSize bytes() const { return bytes_; }
 

@@ -17,7 +17,7 @@
 #include "render/preview/opaque_raster_pass.h"
 #include "render/preview/sun_shadow.h"
 #include "render/preview/tessellated_pass.h"
-#include "render/raster/raster_rounds.h"
+#include "render/preview/viewer_raster.h"
 #include "render/resolve/resolve_pass.h"
 #include "render/streaming/streaming.h"
 #include "render/target_settings.h"
@@ -56,7 +56,7 @@ struct FieldRenderer::Parts {
     std::optional<TessellatedPass> tessellated;
     // … with raster: compute shaders only.
     std::optional<OpaqueRasterPass> opaqueRaster;
-    std::optional<RasterPass> raster;
+    std::optional<ViewerRaster> raster;
     std::optional<ResolvePass> resolve;
     MemoryPlan plan;
     std::unique_ptr<EditedField> edited; ///< of an editable field, until `blades` has it
@@ -89,14 +89,14 @@ struct FieldRenderer::Parts {
                       gpu::Timestamps* timestamps);
     void seeWhatIsHidden(const gpu::Recording& commands, std::uint32_t slot,
                          gpu::Timestamps* timestamps);
-    void seeWhatIsHidden(const gpu::Recording& commands, const RasterPass::Input& input,
+    void seeWhatIsHidden(const gpu::Recording& commands, const ViewerRaster::Input& input,
                          gpu::Timestamps* timestamps);
     void drawBlades(const gpu::Recording& commands, const Target& target, std::uint32_t slot,
                     gpu::Timestamps* timestamps);
-    void rasterBlades(const gpu::Recording& commands, const RasterPass::Input& input,
+    void rasterBlades(const gpu::Recording& commands, const ViewerRaster::Input& input,
                       gpu::Timestamps* timestamps);
     void makePicture(const gpu::Recording& commands, const Target& target, std::uint32_t slot,
-                     const RasterPass::Input& input, gpu::Timestamps* timestamps);
+                     const ViewerRaster::Input& input, gpu::Timestamps* timestamps);
     gpu::ColorAttachment colorAttachment(const Target& target) const;
 };
 

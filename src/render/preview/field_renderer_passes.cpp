@@ -121,12 +121,12 @@ void FieldRenderer::Parts::seeWhatIsHidden(const gpu::Recording& commands, std::
 }
 
 void FieldRenderer::Parts::seeWhatIsHidden(const gpu::Recording& commands,
-                                           const RasterPass::Input& input,
+                                           const ViewerRaster::Input& input,
                                            gpu::Timestamps* timestamps)
 {
     {
         const DispatchScope scope(context, commands, timestamps, "pyramid");
-        raster->recordDepths(commands, input, RasterPass::Levels::all);
+        raster->recordDepths(commands, input);
     }
     gpu::computeToCompute(commands);
 }
@@ -151,13 +151,14 @@ void FieldRenderer::Parts::drawBlades(const gpu::Recording& commands, const Targ
 }
 
 void FieldRenderer::Parts::rasterBlades(const gpu::Recording& commands,
-                                        const RasterPass::Input& input, gpu::Timestamps* timestamps)
+                                        const ViewerRaster::Input& input,
+                                        gpu::Timestamps* timestamps)
 {
-    RasterRounds{context, blades, *raster, rounds}.record(commands, input, timestamps);
+    raster->recordRounds(commands, input, blades, rounds, timestamps);
 }
 
 void FieldRenderer::Parts::makePicture(const gpu::Recording& commands, const Target& target,
-                                       std::uint32_t slot, const RasterPass::Input& input,
+                                       std::uint32_t slot, const ViewerRaster::Input& input,
                                        gpu::Timestamps* timestamps)
 {
     using gpu::ImageUse;

@@ -2,6 +2,7 @@
 
 #include "gpu/recording/barrier.h"
 #include "render/field/placed_field.h"
+#include "render/raster/raster_rounds.h"
 #include "render/target_settings.h"
 
 #include <algorithm>
@@ -11,16 +12,8 @@
 namespace sward::render {
 namespace {
 
-constexpr std::uint32_t frameSet = 0;
-
 /// The visibility is 0 where there is no blade.
 constexpr std::uint32_t firstId = 1;
-
-/// Number of samples as in a shared::VisibilityArray.
-VkDeviceSize samplesOf(const HostView& view)
-{
-    return VkDeviceSize(view.size.x) * shared::rowsOfColumn(view.size.y) * view.samples;
-}
 
 /// Makes `buffer` hold exactly `bytes`. Frames in flight keep the buffer they began with.
 void fit(const gpu::DeviceContext& context, std::shared_ptr<gpu::Buffer>& buffer, const char* name,
@@ -43,28 +36,6 @@ void dispatchPixels(const gpu::Recording& commands, glm::uvec2 size)
         static_cast<std::uint32_t>(gpu::groupsFor(size.y, shared::seedThreads)), 1);
 }
 
-/// The unit that draws large blades.
-std::uint32_t largeTo(const gpu::DeviceContext& context)
-{
-    return context.isCpu() ? shared::largeToNone : shared::largeToGroups;
-}
-
-gpu::ComputePipeline bladesPipeline(const gpu::DeviceContext& context,
-                                    const gpu::ShaderLibrary& shaders,
-                                    const gpu::UniformSetLayout& frameLayout, std::uint32_t samples,
-                                    bool isPaged)
-{
-    return {context,
-            shaders,
-            {.name = "host raster/blades",
-             .shader = "raster_blades.comp",
-             .pushConstantBytes = sizeof(shared::RasterPush),
-             .setLayouts = {frameLayout.get()},
-             .constants = {{.id = 1, .value = samples},
-                           {.id = 3, .value = isPaged},
-                           {.id = 4, .value = largeTo(context)}}}};
-}
-
 /// Tiles of shared::HostViewPush::tiles.
 std::uint32_t tileCount(glm::uvec2 size)
 {
@@ -79,10 +50,10 @@ HostRaster::HostRaster(const gpu::DeviceContext& context, const HostShadowMaps& 
     : context_(&context)
     , settings_(settings)
     , lighting_(context, shadowMaps, settings.slots, settings.maxViews)
-    , frameLayout_(context, "host raster/frame")
     , imageLayout_(
           context,
           {.name = "host raster/depth", .sampledCount = 1, .stages = VK_SHADER_STAGE_COMPUTE_BIT})
+    , pass_(context)
     , pictures_(settings.maxViews)
     , slots_(settings.slots)
 {
@@ -129,23 +100,17 @@ const char* HostRaster::storeObstacle(const HostView& view, Instances instances,
     return nullptr;
 }
 
-HostRaster::Pipelines HostRaster::pipelinesFor(const gpu::ShaderLibrary& shaders,
-                                               std::uint32_t samples) const
+bool HostRaster::hasOwnPyramid(const HostView& view, const FrameSettings& settings)
 {
-    const auto ofInstances = [&](const char* name, const char* shader) {
-        return gpu::ComputePipeline(
-            *context_, shaders,
-            {.name = name,
-             .shader = shader,
-             .pushConstantBytes = sizeof(shared::HostViewPush),
-             .constants = {{.id = 1, .value = samples}, {.id = 4, .value = largeTo(*context_)}}});
-    };
-    Pipelines made;
-    made.blades = bladesPipeline(*context_, shaders, frameLayout_, samples, false);
-    if (!context_->isCpu())
-        made.large = ofInstances("host raster/large blades", "raster_large_of_instances.comp");
-    made.cut = ofInstances("host raster/cut blades", "raster_cut_of_instances.comp");
-    return made;
+    return (settings.cullMask & shared::cullOcclusion) != 0 && !view.cullViewFrom &&
+           (!view.depth || view.depth->samples == view.samples);
+}
+
+bool HostRaster::hasTwoPasses(const HostView& view, Instances instances,
+                              const FrameSettings& settings) const
+{
+    return settings_.groupsDrawLarge && instances.size() == 1 &&
+           instances.front()->listsHoldAll() && hasOwnPyramid(view, settings);
 }
 
 gpu::ComputePipeline HostRaster::seedFor(const gpu::ShaderLibrary& shaders, std::uint32_t samples,
@@ -162,14 +127,10 @@ gpu::ComputePipeline HostRaster::seedFor(const gpu::ShaderLibrary& shaders, std:
 }
 
 void HostRaster::prepare(const gpu::ShaderLibrary& shaders, const HostView& view,
-                         std::uint32_t index, bool hasPaged, View& out)
+                         std::uint32_t index, View& out)
 {
-    if (!pipelines_.contains(view.samples))
-        pipelines_.emplace(view.samples, pipelinesFor(shaders, view.samples));
-    gpu::ComputePipeline& paged = pipelines_.at(view.samples).pagedBlades;
-    if (hasPaged && paged.get() == VK_NULL_HANDLE)
-        paged = bladesPipeline(*context_, shaders, frameLayout_, view.samples, true);
-    out.pipelines = &pipelines_.at(view.samples);
+    out.isRastered = true;
+    out.samples = view.samples;
     // Depth with another number of samples does not match the view's samples.
     if (view.depth && view.depth->samples == view.samples) {
         const std::pair wanted{view.samples, view.hasReversedZ};
@@ -178,16 +139,16 @@ void HostRaster::prepare(const gpu::ShaderLibrary& shaders, const HostView& view
         out.seed = &seeds_.at(wanted);
     }
     if (!largeList_)
-        largeList_ = std::make_shared<LargeBladeList>(
-            *context_, LargeBladeList::Room{.large = !context_->isCpu()});
+        largeList_ = std::make_shared<LargeBladeList>(*context_, settings_.groupsDrawLarge);
     out.large = largeList_;
 
     Pictures& pictures = pictures_[index];
-    fit(*context_, pictures.visibility, "view/visibility", samplesOf(view) * sizeof(std::uint64_t));
+    const VkDeviceSize bytes = visibilityBytes(view.size, view.samples);
+    fit(*context_, pictures.visibility, "view/visibility", bytes);
     fit(*context_, pictures.tiles, "view/tiles",
         VkDeviceSize(tileCount(view.size)) * sizeof(std::uint32_t));
     if (settings_.keepsMotion)
-        fit(*context_, pictures.motions, "view/motions", samplesOf(view) * sizeof(std::uint32_t));
+        fit(*context_, pictures.motions, "view/motions", bytes / 2);
     out.pictures = pictures;
     out.push = {.instances = 0,
                 .visibility = pictures.visibility->address(),
@@ -199,23 +160,46 @@ void HostRaster::prepare(const gpu::ShaderLibrary& shaders, const HostView& view
                 .firstStored = view.stored ? view.stored->first : glm::uvec2(0)};
 }
 
+/// Makes what rasterises and lights a view whose instances are known.
+void HostRaster::prepareShading(const gpu::ShaderLibrary& shaders, std::uint32_t slotIndex,
+                                std::uint32_t index, const HostView& view, Instances instances,
+                                const FrameSettings& settings)
+{
+    View& out = slots_[slotIndex].views[index];
+    const bool isOfOne = instances.size() == 1;
+    HostLighting::Settings lighting{.debugMode = knownDebugMode(settings.debug),
+                                    .isOfOne = isOfOne};
+    if (isOfOne) {
+        lighting.looks = instances.front()->looks();
+        lighting.limitsLeafArea = settings.levelOfDetail && settings.maxLeafArea > 0.0f;
+        lighting.hasShadingCache = out.hasTwoPasses;
+    }
+    if (out.hasTwoPasses) {
+        if (!shadingCache_)
+            shadingCache_.emplace(*context_);
+        out.cache =
+            &shadingCache_->prepare(shaders, {.samples = view.samples,
+                                              .shading = {.debugMode = lighting.debugMode,
+                                                          .limitsLeafArea = lighting.limitsLeafArea,
+                                                          .hasShadingCache = true},
+                                              .looks = lighting.looks});
+    }
+    const bool stores = storeObstacle(view, instances, settings) == nullptr;
+    out.lighting = lighting_.prepare(shaders, slotIndex, index, view, stores, lighting);
+}
+
 void HostRaster::begin(const gpu::ShaderLibrary& shaders, std::uint32_t slotIndex,
                        std::span<const HostView> views,
                        std::span<const PlacedField* const> instances, const FrameSettings& settings)
 {
     Slot& slot = slots_[slotIndex];
     std::ranges::fill(slot.views, View{});
-    const HostLighting::Settings lighting{.debugMode = knownDebugMode(settings.debug),
-                                          .isOfOne = instances.size() == 1};
-    const bool hasPaged = std::ranges::any_of(
-        instances, [](const PlacedField* instance) { return instance->blades().isPaged(); });
     bool rasters = false;
     for (std::uint32_t i = 0; i < slot.views.size(); ++i) {
         if (i < views.size() && obstacle(views[i], instances) == nullptr) {
-            prepare(shaders, views[i], i, hasPaged, slot.views[i]);
-            const bool stores = storeObstacle(views[i], instances, settings) == nullptr;
-            slot.views[i].lighting =
-                lighting_.prepare(shaders, slotIndex, i, views[i], stores, lighting);
+            prepare(shaders, views[i], i, slot.views[i]);
+            slot.views[i].hasTwoPasses = hasTwoPasses(views[i], instances, settings);
+            prepareShading(shaders, slotIndex, i, views[i], instances, settings);
             rasters = true;
         } else {
             pictures_[i] = {};
@@ -223,10 +207,25 @@ void HostRaster::begin(const gpu::ShaderLibrary& shaders, std::uint32_t slotInde
     }
     if (!rasters)
         largeList_.reset();
-    if (rasters && !instances.empty())
-        writeTable(slot, slotIndex, views, instances);
-    else
+    if (!rasters || instances.empty()) {
         slot.table = {};
+        return;
+    }
+    writeTable(slot, slotIndex, views, instances);
+    for (const View& view : slot.views)
+        if (view.isRastered)
+            pass_.prepare(shaders, viewOf(view), view.hasTwoPasses);
+}
+
+RasterPass::View HostRaster::viewOf(const View& view)
+{
+    RasterPass::View result{.instances = view.instances,
+                            .large = view.large.get(),
+                            .several = view.instances.size() > 1 ? &view.push : nullptr,
+                            .size = view.push.size};
+    if (!view.instances.empty())
+        result.variant = view.instances.front().variant;
+    return result;
 }
 
 void HostRaster::writeTable(Slot& slot, std::uint32_t slotIndex, std::span<const HostView> views,
@@ -241,7 +240,7 @@ void HostRaster::writeTable(Slot& slot, std::uint32_t slotIndex, std::span<const
     const auto table = slot.table.mappedAs<shared::HostInstance>();
     for (std::uint32_t v = 0; v < views.size(); ++v) {
         View& view = slot.views[v];
-        if (view.pipelines == nullptr)
+        if (!view.isRastered)
             continue;
         const std::size_t first = v * instances.size();
         view.push.instances = slot.table.address() + first * sizeof(shared::HostInstance);
@@ -257,6 +256,10 @@ void HostRaster::writeTable(Slot& slot, std::uint32_t slotIndex, std::span<const
             entry.raster.visibility = view.push.visibility;
             entry.raster.rounds = field.list(v).rounds().address();
             view.large->describe(entry.raster);
+            if (view.hasTwoPasses)
+                entry.raster.seen = field.history(v).address();
+            if (view.cache != nullptr)
+                shadingCache_->describe(entry.raster);
             entry.raster.nonEmptyPatches = field.blades().nonEmptyPatches();
             entry.raster.firstNonEmptyPatches = field.blades().firstNonEmptyPatches();
             entry.raster.size = views[v].size;
@@ -264,19 +267,23 @@ void HostRaster::writeTable(Slot& slot, std::uint32_t slotIndex, std::span<const
             entry.raster.instance = i;
             entry.motion = field.motion(slotIndex, v);
             table[first + i] = entry;
-            view.pushes.push_back(entry.raster);
+            view.instances.push_back({.frame = field.rasterFrame(slotIndex, v),
+                                      .list = &field.list(v),
+                                      .variant = {.samples = views[v].samples,
+                                                  .isPaged = field.blades().isPaged(),
+                                                  .groupsDrawLarge = settings_.groupsDrawLarge,
+                                                  .looks = field.looks()},
+                                      .push = entry.raster});
             id += field.blades().indexCount();
         }
     }
 }
 
-void HostRaster::record(const gpu::Recording& commands, std::uint32_t slotIndex,
-                        std::uint32_t viewIndex, std::span<const PlacedField* const> instances,
-                        const gpu::ImageSet* depth) const
+void HostRaster::recordBegin(const gpu::Recording& commands, std::uint32_t slotIndex,
+                             std::uint32_t viewIndex, const gpu::ImageSet* depth,
+                             bool fillsPyramid) const
 {
-    const Slot& slot = slots_[slotIndex];
-    const View& view = slot.views[viewIndex];
-    gpu::memoryBarrier(commands, gpu::anyAccess, gpu::fillAccess);
+    const View& view = slots_[slotIndex].views[viewIndex];
     view.large->clear(commands);
     commands.vk->CmdFillBuffer(commands, view.pictures.tiles->get(), 0, VK_WHOLE_SIZE, 0);
     if (view.seed != nullptr && depth != nullptr) {
@@ -288,42 +295,37 @@ void HostRaster::record(const gpu::Recording& commands, std::uint32_t slotIndex,
         commands.vk->CmdFillBuffer(commands, view.pictures.visibility->get(), 0, VK_WHOLE_SIZE, 0);
     }
     gpu::memoryBarrier(commands, gpu::fillAccess, gpu::dispatchAccess);
-    if (view.push.instanceCount == 0) {
-        gpu::memoryBarrier(commands, gpu::computeAccess, gpu::anyAccess);
+    if (fillsPyramid && !view.instances.empty()) {
+        pass_.recordDepths(commands, viewOf(view), RasterPass::Levels::all);
+        gpu::computeToCompute(commands);
+    }
+}
+
+void HostRaster::record(const gpu::Recording& commands, std::uint32_t slotIndex,
+                        std::uint32_t viewIndex, Instances instances) const
+{
+    const View& view = slots_[slotIndex].views[viewIndex];
+    gpu::memoryBarrier(commands, gpu::anyAccess, gpu::dispatchAccess);
+    if (view.instances.empty())
         return;
-    }
-
-    const Pipelines& pipelines = *view.pipelines;
-    const gpu::ComputePipeline* bound = nullptr;
-    for (std::size_t i = 0; i < instances.size(); ++i) {
+    // Instances may have been removed after begin().
+    std::vector<RasterPass::Instance> present = view.instances;
+    for (std::size_t i = 0; i < present.size(); ++i)
         if (instances[i] == nullptr)
-            continue;
-        const gpu::ComputePipeline& blades =
-            instances[i]->blades().isPaged() ? pipelines.pagedBlades : pipelines.blades;
-        if (&blades != std::exchange(bound, &blades))
-            blades.bind(commands);
-        instances[i]->rasterFrame(slotIndex, viewIndex).bind(commands, blades.layout(), frameSet);
-        blades.push(commands, view.pushes[i]);
-        commands.vk->CmdDispatchIndirect(commands, instances[i]->list(viewIndex).rounds().get(), 0);
-    }
-    gpu::computeToCompute(commands);
-    if (pipelines.large.get() != VK_NULL_HANDLE) {
-        pipelines.large.bind(commands);
-        pipelines.large.push(commands, view.push);
-        view.large->dispatch(commands);
-    }
-    pipelines.cut.bind(commands);
-    pipelines.cut.push(commands, view.push);
-    view.large->dispatchCut(commands);
-    gpu::computeToCompute(commands);
-
-    const bool isOfOne = view.push.instanceCount == 1;
-    const bool isGone = isOfOne && instances[0] == nullptr; // removed after begin()
-    if (!isGone) {
-        FramePlace frame;
-        if (isOfOne)
-            frame = instances[0]->rasterFrame(slotIndex, viewIndex);
-        HostLighting::record(commands, view.lighting, isOfOne ? &frame : nullptr, view.push);
+            present[i].list = nullptr;
+    RasterPass::View rastered = viewOf(view);
+    rastered.instances = present;
+    const bool isOfOne = present.size() == 1;
+    if (!isOfOne || present.front().list != nullptr) {
+        RasterRounds{.context = *context_,
+                     .pass = pass_,
+                     .view = rastered,
+                     .hasTwoPasses = view.hasTwoPasses,
+                     .shadingCache = view.cache}
+            .record(commands, nullptr);
+        gpu::computeToCompute(commands);
+        HostLighting::record(commands, view.lighting, isOfOne ? &present.front().frame : nullptr,
+                             view.push);
     }
     gpu::memoryBarrier(commands, gpu::computeAccess, gpu::anyAccess);
 }

@@ -11,7 +11,9 @@
 #include "render/frame_settings.h"
 #include "render/host_view.h"
 #include "render/raster/large_blade_list.h"
+#include "render/raster/raster_pass.h"
 #include "render/resolve/host_lighting.h"
+#include "render/resolve/shading_cache_pass.h"
 #include "shaders/shared/passes.h"
 
 #include <vulkan/vulkan.h>
@@ -19,6 +21,7 @@
 #include <cstdint>
 #include <map>
 #include <memory>
+#include <optional>
 #include <span>
 #include <utility>
 #include <vector>
@@ -38,10 +41,13 @@ public:
     struct Settings {
         std::uint32_t slots = 1, maxViews = 1;
         bool keepsMotion = false;
+        bool groupsDrawLarge = true; ///< see RasterPass::Variant
     };
 
     HostRaster(const gpu::DeviceContext& context, const HostShadowMaps& shadowMaps,
                const Settings& settings);
+
+    bool drawsLargeByGroups() const { return settings_.groupsDrawLarge; }
 
     /// Why a view of these instances is not rasterised; null if it is.
     const char* obstacle(const HostView& view, Instances instances) const;
@@ -50,14 +56,28 @@ public:
     const char* storeObstacle(const HostView& view, Instances instances,
                               const FrameSettings& settings) const;
 
+    /// Whether the depth pyramid of a view that is rasterised comes from the visibility buffer,
+    /// which holds the host's depth. Else PyramidPass fills it from that depth, if there is one.
+    static bool hasOwnPyramid(const HostView& view, const FrameSettings& settings);
+
+    /// Whether a view that is rasterised has an early and a late pass: in `settings`, with its own
+    /// pyramid, of one instance.
+    bool hasTwoPasses(const HostView& view, Instances instances,
+                      const FrameSettings& settings) const;
+
     /// Begins a frame in a completed `slot`, after its HostShadowMaps; makes objects on first use.
     void begin(const gpu::ShaderLibrary& shaders, std::uint32_t slot,
                std::span<const HostView> views, Instances instances, const FrameSettings& settings);
 
-    /// Rasterises and lights the view's lists. `depth`: the host's, as PyramidPass reads it, or
-    /// null. Records a barrier before and after.
+    /// Fills the visibility with the host's depth, and clears lists: before the view is culled.
+    /// `depth`: the host's, as PyramidPass reads it, or null. Then fills the view's pyramid, if
+    /// `fillsPyramid`. Needs a barrier to fills before; records one to dispatches after.
+    void recordBegin(const gpu::Recording& commands, std::uint32_t slot, std::uint32_t view,
+                     const gpu::ImageSet* depth, bool fillsPyramid) const;
+
+    /// Rasterises and lights the view's lists. Records a barrier before and after.
     void record(const gpu::Recording& commands, std::uint32_t slot, std::uint32_t view,
-                Instances instances, const gpu::ImageSet* depth) const;
+                Instances instances) const;
 
     /// Draws the result into the host's picture, tile by tile; `pipeline` is a BladeTarget's.
     void recordDraw(const gpu::Recording& commands, std::uint32_t slot, std::uint32_t view,
@@ -66,11 +86,6 @@ public:
     VkDeviceSize bytes() const;
 
 private:
-    struct Pipelines {
-        gpu::ComputePipeline blades, cut, pagedBlades; ///< the latter of streamed fields, if any
-        gpu::ComputePipeline large;                    ///< unused on a CPU device
-    };
-
     /// Kept until no slot uses them.
     struct Pictures {
         std::shared_ptr<gpu::Buffer> visibility, tiles, motions; ///< of shared::HostViewPush
@@ -78,13 +93,16 @@ private:
 
     /// A view of the frame last begun in a slot.
     struct View {
+        bool isRastered = false;
+        bool hasTwoPasses = false;
+        std::uint32_t samples = 1;
         Pictures pictures;
         std::shared_ptr<LargeBladeList> large;
-        const Pipelines* pipelines = nullptr; ///< null: the view is not rasterised
         HostLighting::View lighting;
-        const gpu::ComputePipeline* seed = nullptr; ///< null: the visibility starts cleared
+        const gpu::ComputePipeline* seed = nullptr;  ///< null: the visibility starts cleared
+        const gpu::ComputePipeline* cache = nullptr; ///< of the shading cache; null: none
         shared::HostViewPush push = {};
-        std::vector<shared::RasterPush> pushes; ///< one per instance
+        std::vector<RasterPass::Instance> instances;
     };
 
     struct Slot {
@@ -92,20 +110,22 @@ private:
         std::vector<View> views;
     };
 
-    Pipelines pipelinesFor(const gpu::ShaderLibrary& shaders, std::uint32_t samples) const;
     gpu::ComputePipeline seedFor(const gpu::ShaderLibrary& shaders, std::uint32_t samples,
                                  bool hasReversedZ) const;
     void prepare(const gpu::ShaderLibrary& shaders, const HostView& view, std::uint32_t index,
-                 bool hasPaged, View& out);
+                 View& out);
+    void prepareShading(const gpu::ShaderLibrary& shaders, std::uint32_t slot, std::uint32_t index,
+                        const HostView& view, Instances instances, const FrameSettings& settings);
     void writeTable(Slot& slot, std::uint32_t slotIndex, std::span<const HostView> views,
                     Instances instances) const;
+    static RasterPass::View viewOf(const View& view);
 
     const gpu::DeviceContext* context_;
     Settings settings_;
     HostLighting lighting_;
-    gpu::UniformSetLayout frameLayout_;
-    gpu::ImageSetLayout imageLayout_;              ///< compatible with PyramidPass
-    std::map<std::uint32_t, Pipelines> pipelines_; ///< by samples
+    gpu::ImageSetLayout imageLayout_; ///< compatible with PyramidPass
+    RasterPass pass_;
+    std::optional<ShadingCachePass> shadingCache_; ///< made on first use; shared by all views
     std::map<std::pair<std::uint32_t, bool>, gpu::ComputePipeline> seeds_; ///< reversed: true
     std::shared_ptr<LargeBladeList> largeList_; ///< shared by all views in sequence
     std::vector<Pictures> pictures_;            ///< the newest per view

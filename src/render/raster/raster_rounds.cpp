@@ -5,51 +5,56 @@
 
 namespace sward::render {
 
-void RasterRounds::record(const gpu::Recording& commands, const RasterPass::Input& input,
-                          gpu::Timestamps* timestamps) const
+void RasterRounds::record(const gpu::Recording& commands, gpu::Timestamps* timestamps) const
 {
     using Phase = RasterPass::Phase;
     for (std::uint32_t round = 0; round < rounds; ++round) {
-        recordFirst(commands, input, round, timestamps);
-        if (!input.findsHidden)
+        recordFirst(commands, round, timestamps);
+        if (!hasTwoPasses)
             continue;
         // The first round has most visible patches: its blades hide the rest.
         if (round == 0)
-            recordPyramid(commands, input, timestamps);
+            recordEarlyLarge(commands, timestamps);
         gpu::computeToCompute(commands);
         const DispatchScope scope(context, commands, timestamps, "blades");
-        raster.recordBlades(commands, input, round, Phase::late);
+        pass.recordBlades(commands, view, round, Phase::late);
     }
     gpu::computeToCompute(commands);
     const DispatchScope scope(context, commands, timestamps, "blades");
-    raster.recordLarge(commands, input, input.findsHidden ? Phase::late : Phase::early);
+    pass.recordLarge(commands, view, hasTwoPasses ? Phase::late : Phase::early);
 }
 
-void RasterRounds::recordFirst(const gpu::Recording& commands, const RasterPass::Input& input,
-                               std::uint32_t round, gpu::Timestamps* timestamps) const
+void RasterRounds::recordFirst(const gpu::Recording& commands, std::uint32_t round,
+                               gpu::Timestamps* timestamps) const
 {
-    // The round before reads the list that is rewritten now.
-    if (round > 0)
+    if (list) {
+        // The round before reads the list that is rewritten now.
+        if (round > 0)
+            gpu::computeToCompute(commands);
+        list(round);
         gpu::computeToCompute(commands);
-    using Shown = UpdateCullPass::Shown;
-    blades.moveAndList(commands, input.cullView, round,
-                       input.findsHidden ? raster.shown() : Shown(), timestamps);
-    gpu::computeToCompute(commands);
+    }
     const DispatchScope scope(context, commands, timestamps, "blades");
-    raster.recordBlades(commands, input, round, RasterPass::Phase::early);
+    pass.recordBlades(commands, view, round, RasterPass::Phase::early);
 }
 
-void RasterRounds::recordPyramid(const gpu::Recording& commands, const RasterPass::Input& input,
-                                 gpu::Timestamps* timestamps) const
+void RasterRounds::recordEarlyLarge(const gpu::Recording& commands,
+                                    gpu::Timestamps* timestamps) const
 {
     gpu::computeToCompute(commands);
     {
         const DispatchScope scope(context, commands, timestamps, "blades");
-        raster.recordLarge(commands, input, RasterPass::Phase::early);
+        pass.recordLarge(commands, view, RasterPass::Phase::early);
+        // Blades in the visibility history are likely visible. Dispatches as many work-groups as
+        // listed blades; they store into the shading cache.
+        const RasterPass::Instance& instance = view.instances.front();
+        if (shadingCache != nullptr)
+            ShadingCachePass::record(commands, *shadingCache, instance.push, instance.frame,
+                                     instance.list->rounds().get());
     }
     gpu::memoryBarrier(commands, gpu::dispatchAccess, gpu::dispatchAccess);
     const DispatchScope scope(context, commands, timestamps, "pyramid");
-    raster.recordDepths(commands, input, RasterPass::Levels::finest);
+    pass.recordDepths(commands, view, RasterPass::Levels::finest);
 }
 
 } // namespace sward::render

@@ -3,35 +3,33 @@
 #include "gpu/context/context.h"
 #include "gpu/recording/recording.h"
 #include "gpu/recording/timestamps.h"
-#include "render/cull/moving_blades.h"
 #include "render/raster/raster_pass.h"
-
-#include <vulkan/vulkan.h>
+#include "render/resolve/shading_cache_pass.h"
 
 #include <cstdint>
+#include <functional>
 
 namespace sward::render {
 
-/// Moves, culls and rasterises the visible patches of a frame, one list's length per round. With
-/// the occlusion test, blades in the visibility history are drawn first; hidden blades among the
-/// rest are dropped.
+/// Rasterises a view's lists of blades, one list's length per round. With two passes, blades in the
+/// visibility history are drawn first; hidden blades among the others are not drawn.
 struct RasterRounds {
     const gpu::DeviceContext& context;
-    const MovingBlades& blades;
-    RasterPass& raster;
-    std::uint32_t rounds; ///< upper bound for the visible patches
+    const RasterPass& pass;
+    const RasterPass::View& view;
+    bool hasTwoPasses = false;
+    const gpu::ComputePipeline* shadingCache = nullptr; ///< of ShadingCachePass; null: no cache
+    std::uint32_t rounds = 1;
+    std::function<void(std::uint32_t round)> list{}; ///< fills the lists; unset: they are full
 
-    /// Call after MovingBlades::findVisiblePatches(), with the opaque scene in the visibility. If
-    /// `input` enables the occlusion test, the frame describes the pyramid and its own camera
-    /// culls.
-    void record(const gpu::Recording& commands, const RasterPass::Input& input,
-                gpu::Timestamps* timestamps) const;
+    /// Records the rounds, with barriers between them. Needs a barrier from the lists before, and
+    /// to readers of the visibility after. `timestamps` may be null.
+    void record(const gpu::Recording& commands, gpu::Timestamps* timestamps) const;
 
 private:
-    void recordFirst(const gpu::Recording& commands, const RasterPass::Input& input,
-                     std::uint32_t round, gpu::Timestamps* timestamps) const;
-    void recordPyramid(const gpu::Recording& commands, const RasterPass::Input& input,
-                       gpu::Timestamps* timestamps) const;
+    void recordFirst(const gpu::Recording& commands, std::uint32_t round,
+                     gpu::Timestamps* timestamps) const;
+    void recordEarlyLarge(const gpu::Recording& commands, gpu::Timestamps* timestamps) const;
 };
 
 } // namespace sward::render

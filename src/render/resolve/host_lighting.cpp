@@ -58,7 +58,12 @@ gpu::ComputePipeline HostLighting::pipelineFor(const gpu::ShaderLibrary& shaders
              .setLayouts = sets,
              .constants = {{.id = 0, .value = settings.debugMode},
                            {.id = 1, .value = settings.samples},
+                           {.id = 8, .value = settings.limitsLeafArea},
                            {.id = 9, .value = asRadiance},
+                           {.id = 11, .value = settings.looks.mayFold},
+                           {.id = 14, .value = settings.looks.onlyShape},
+                           {.id = 15, .value = settings.hasShadingCache},
+                           {.id = 17, .value = settings.looks.mayHaveOrgans},
                            {.id = 18, .value = settings.storedAs}}}};
 }
 

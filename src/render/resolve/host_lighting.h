@@ -6,6 +6,7 @@
 #include "gpu/pipeline/shader_library.h"
 #include "gpu/pipeline/uniform_sets.h"
 #include "gpu/recording/recording.h"
+#include "render/field/field_looks.h"
 #include "render/frame_place.h"
 #include "render/host_view.h"
 #include "shaders/shared/debug_mode.h"
@@ -32,6 +33,10 @@ public:
         bool isOfOne = false, hasHostLight = false; ///< of a single instance; see View::shadowMap
         std::uint32_t storedAs = 0; ///< flags of shared::storesPicture …; 0: in place of ids
         bool storesHalves = false;  ///< else bytes
+        // Of the only instance; what is unknown of several has the widest value.
+        FieldLooks looks{};
+        bool limitsLeafArea = true;   ///< see Shading
+        bool hasShadingCache = false; ///< see ShadingCachePass
         auto operator<=>(const Settings&) const = default;
     };
 
@@ -47,7 +52,7 @@ public:
                  std::uint32_t slots, std::uint32_t maxViews);
 
     /// Makes what lights a view of a frame in a completed `slot`, after its HostShadowMaps. Takes
-    /// all settings but debugMode and isOfOne from `view`, which is stored if `stores`.
+    /// samples, light and storage from `view`, which is stored if `stores`.
     View prepare(const gpu::ShaderLibrary& shaders, std::uint32_t slot, std::uint32_t index,
                  const HostView& view, bool stores, Settings settings);
 

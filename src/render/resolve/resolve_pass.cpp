@@ -83,11 +83,11 @@ void ResolvePass::prepare(const gpu::ShaderLibrary& shaders, Shading shading)
                                   {{.id = 0, .value = shading.debugMode},
                                    {.id = 8, .value = shading.limitsLeafArea ? 1u : 0u},
                                    {.id = 10, .value = shown.list},
-                                   {.id = 11, .value = target_.mayFold ? 1u : 0u},
+                                   {.id = 11, .value = target_.looks.mayFold ? 1u : 0u},
                                    {.id = 12, .value = shown.blades ? 1u : 0u},
                                    {.id = 13, .value = shown.sky ? 1u : 0u},
-                                   {.id = 14, .value = target_.onlyShape},
-                                   {.id = 17, .value = target_.mayHaveOrgans ? 1u : 0u},
+                                   {.id = 14, .value = target_.looks.onlyShape},
+                                   {.id = 17, .value = target_.looks.mayHaveOrgans ? 1u : 0u},
                                    {.id = 15, .value = shading.hasShadingCache ? 1u : 0u}})});
     parts_.emplace(shading, std::move(parts));
 }

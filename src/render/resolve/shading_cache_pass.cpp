@@ -1,7 +1,5 @@
 #include "render/resolve/shading_cache_pass.h"
 
-#include "core/expect.h"
-
 #include <cstdint>
 
 namespace sward::render {
@@ -22,46 +20,46 @@ gpu::Buffer bufferOf(const gpu::DeviceContext& context, const char* name, VkDevi
 
 } // namespace
 
-ShadingCachePass::ShadingCachePass(const gpu::DeviceContext& context, const TargetSettings& target)
+ShadingCachePass::ShadingCachePass(const gpu::DeviceContext& context)
     : context_(&context)
-    , target_(target)
     , frameLayout_(context, "raster/frame")
     , places_(bufferOf(context, "raster/places of surfaces", shared::surfacePlaceCount))
-    , shadingCache_(bufferOf(context, "raster/surfaces", wordsOfSurface * shared::maxSurfaces))
+    , surfaces_(bufferOf(context, "raster/surfaces", wordsOfSurface * shared::maxSurfaces))
 {
 }
 
-void ShadingCachePass::prepare(const gpu::ShaderLibrary& shaders, Shading shading)
+const gpu::ComputePipeline& ShadingCachePass::prepare(const gpu::ShaderLibrary& shaders,
+                                                      const Variant& variant)
 {
-    shading_ = shading;
-    if (pipelines_.contains(shading))
-        return;
-    pipelines_.emplace(
-        shading, gpu::ComputePipeline(*context_, shaders,
-                                      {.name = "raster/surfaces",
-                                       .shader = "fill_shading_cache.comp",
-                                       .pushConstantBytes = sizeof(shared::RasterPush),
-                                       .setLayouts = {frameLayout_.get()},
-                                       .constants = {{.id = 0, .value = shading.debugMode},
-                                                     {.id = 1, .value = target_.samples},
-                                                     {.id = 8, .value = shading.limitsLeafArea},
-                                                     {.id = 11, .value = target_.mayFold},
-                                                     {.id = 14, .value = target_.onlyShape},
-                                                     {.id = 17, .value = target_.mayHaveOrgans}}}));
+    const auto found = pipelines_.find(variant);
+    if (found != pipelines_.end())
+        return found->second;
+    const auto made = pipelines_.emplace(
+        variant,
+        gpu::ComputePipeline(*context_, shaders,
+                             {.name = "raster/surfaces",
+                              .shader = "fill_shading_cache.comp",
+                              .pushConstantBytes = sizeof(shared::RasterPush),
+                              .setLayouts = {frameLayout_.get()},
+                              .constants = {{.id = 0, .value = variant.shading.debugMode},
+                                            {.id = 1, .value = variant.samples},
+                                            {.id = 8, .value = variant.shading.limitsLeafArea},
+                                            {.id = 11, .value = variant.looks.mayFold},
+                                            {.id = 14, .value = variant.looks.onlyShape},
+                                            {.id = 17, .value = variant.looks.mayHaveOrgans}}}));
+    return made.first->second;
 }
 
 void ShadingCachePass::describe(shared::RasterPush& push) const
 {
     push.surfacePlaces = places_.address();
-    push.surfaces = shadingCache_.address();
+    push.surfaces = surfaces_.address();
 }
 
-void ShadingCachePass::record(const gpu::Recording& commands, const shared::RasterPush& push,
-                              const FramePlace& frame, VkBuffer groups) const
+void ShadingCachePass::record(const gpu::Recording& commands, const gpu::ComputePipeline& pipeline,
+                              const shared::RasterPush& push, const FramePlace& frame,
+                              VkBuffer groups)
 {
-    const auto found = pipelines_.find(shading_);
-    expect(found != pipelines_.end(), "the pass has been prepared");
-    const gpu::ComputePipeline& pipeline = found->second;
     pipeline.bind(commands);
     frame.bind(commands, pipeline.layout(), surfaceFrameSet);
     pipeline.push(commands, push);

@@ -12,36 +12,42 @@
 
 #include <vulkan/vulkan.h>
 
+#include <compare>
 #include <map>
 
 namespace sward::render {
 
-/// Caches shading inputs of large blades between their early pass and the resolve. Reason: many
-/// pixels show each of them and would compute the same inputs.
+/// Fills the shading cache: shading data of large blades, for all pixels that show them. Of one
+/// field; views are drawn one after another, and share the cache.
 class ShadingCachePass {
 public:
-    ShadingCachePass(const gpu::DeviceContext& context, const TargetSettings& target);
+    explicit ShadingCachePass(const gpu::DeviceContext& context);
 
-    /// Makes the pipeline for a frame.
-    void prepare(const gpu::ShaderLibrary& shaders, Shading shading);
+    /// Specialisation of the shader.
+    struct Variant {
+        std::uint32_t samples = 1;
+        Shading shading{};
+        FieldLooks looks{};
+        auto operator<=>(const Variant&) const = default;
+    };
 
-    void describe(shared::RasterPush& push) const; ///< addresses of the cache
+    /// The pipeline of a variant, which stays valid. Makes it on first use.
+    const gpu::ComputePipeline& prepare(const gpu::ShaderLibrary& shaders, const Variant& variant);
 
-    /// Needs a barrier from the listing of large blades for their early pass before, and one to the
-    /// resolve after. `groups` begins with a VkDispatchIndirectCommand.
-    void record(const gpu::Recording& commands, const shared::RasterPush& push,
-                const FramePlace& frame, VkBuffer groups) const;
+    void describe(shared::RasterPush& push) const; ///< addresses
 
-    VkDeviceSize bytes() const { return places_.bytes() + shadingCache_.bytes(); }
+    /// Stores the listed large blades. `groups`: arguments of an indirect dispatch.
+    static void record(const gpu::Recording& commands, const gpu::ComputePipeline& pipeline,
+                       const shared::RasterPush& push, const FramePlace& frame, VkBuffer groups);
+
+    VkDeviceSize bytes() const { return places_.bytes() + surfaces_.bytes(); }
 
 private:
     const gpu::DeviceContext* context_;
-    TargetSettings target_;
     gpu::UniformSetLayout frameLayout_;
-    std::map<Shading, gpu::ComputePipeline> pipelines_;
-    Shading shading_{}; ///< of the prepared frame
-    gpu::Buffer places_;
-    gpu::Buffer shadingCache_;
+    gpu::Buffer places_;   ///< see RasterPush::surfacePlaces
+    gpu::Buffer surfaces_; ///< see RasterPush::surfaces
+    std::map<Variant, gpu::ComputePipeline> pipelines_;
 };
 
 } // namespace sward::render

@@ -13,7 +13,7 @@ gpu::GraphicsPipelineSettings tessellatedBlades()
     settings.tessellationEvaluationShader = "blade.tese";
     settings.fragmentShader = "blade.frag";
     settings.patchControlPoints = 1;
-    settings.pushConstantBytes = sizeof(shared::ViewPush);
+    settings.pushConstantBytes = sizeof(shared::BladePush);
     return settings;
 }
 
@@ -34,7 +34,11 @@ void BladePass::record(const gpu::Recording& commands, const FieldBuffers& field
     if (field.bladeCount() == 0)
         return;
     pipeline_.bind(commands);
-    pipeline_.push(commands, shared::ViewPush{frame});
+    pipeline_.push(commands, shared::BladePush{.frame = frame,
+                                               .rounds = field.list().rounds().address(),
+                                               .motion = 0,
+                                               .isLate = 0,
+                                               .reserved = 0});
     commands.vk->CmdDrawIndirect(commands, field.draw().get(), 0, 1, sizeof(shared::DrawArguments));
 }
 

@@ -127,7 +127,6 @@ gpu::GraphicsPipelineSettings pipelineFor(const HostTarget& target)
         settings.tessellationControlShader = "blade_motion.tesc";
         settings.tessellationEvaluationShader = "blade_motion.tese";
         settings.fragmentShader = "blade_motion.frag";
-        settings.pushConstantBytes = sizeof(shared::MotionPush);
     }
     if (target.colorFormats.empty()) {
         settings.name = "blades/depth";

@@ -141,7 +141,7 @@ struct Values {
     shared::CopyPush copyPush;
     shared::GroundPush groundPush;
     shared::Motion motion;
-    shared::MotionPush motionPush;
+    shared::BladePush bladePush;
     shared::HostInstance hostInstance;
     shared::HostViewPush hostViewPush;
     shared::PageChange pageChange;
@@ -204,7 +204,7 @@ std::size_t fillValues(Values& v)
     n.fillAll(v.groundPush.frame, v.groundPush.vertices, v.groundPush.materials,
               v.groundPush.material, v.groundPush.reserved);
     n.fillAll(v.motion.clipBefore, v.motion.statesBefore, v.motion.moves, v.motion.reserved);
-    n.fillAll(v.motionPush.frame, v.motionPush.motion);
+    n.fillAll(v.bladePush.frame, v.bladePush.motion);
     n.fillAll(v.hostInstance.raster, v.hostInstance.motion);
     shared::HostViewPush& h = v.hostViewPush;
     n.fillAll(h.instances, h.visibility, h.motions, h.tiles, h.size, h.instanceCount, h.slack,
@@ -277,7 +277,7 @@ TEST_F(LayoutTest, EverySharedStructMeansTheSameToBothLanguages)
                                            secondElement(context(), values.copyPush),
                                            secondElement(context(), values.groundPush),
                                            secondElement(context(), values.motion),
-                                           secondElement(context(), values.motionPush),
+                                           secondElement(context(), values.bladePush),
                                            secondElement(context(), values.hostInstance),
                                            secondElement(context(), values.hostViewPush),
                                            secondElement(context(), values.pageChange),

@@ -15,7 +15,7 @@ SHARED_BUFFER(RasterPushArray, RasterPush, readonly)
 SHARED_BUFFER(PyramidPushArray, PyramidPush, readonly)
 SHARED_BUFFER(ViewPushArray, ViewPush, readonly)
 SHARED_BUFFER(CopyPushArray, CopyPush, readonly)
-SHARED_BUFFER(MotionPushArray, MotionPush, readonly)
+SHARED_BUFFER(BladePushArray, BladePush, readonly)
 SHARED_BUFFER(HostViewPushArray, HostViewPush, readonly)
 SHARED_BUFFER(GroundPushArray, GroundPush, readonly)
 SHARED_BUFFER(PagePushArray, PagePush, readonly)
@@ -45,7 +45,7 @@ struct Sources {
     CopyPushArray copyPush;
     GroundPushArray groundPush;
     MotionArray motion;
-    MotionPushArray motionPush;
+    BladePushArray bladePush;
     HostInstanceArray hostInstance;
     HostViewPushArray hostViewPush;
     PageChangeArray pageChange;
@@ -371,8 +371,8 @@ void main()
     put(uvec2(sources.at[0].motion.at[1].statesBefore));
     put(sources.at[0].motion.at[1].moves);
     put(sources.at[0].motion.at[1].reserved);
-    put(uvec2(sources.at[0].motionPush.at[1].frame));
-    put(uvec2(sources.at[0].motionPush.at[1].motion));
+    put(uvec2(sources.at[0].bladePush.at[1].frame));
+    put(uvec2(sources.at[0].bladePush.at[1].motion));
     put(uvec2(sources.at[0].hostInstance.at[1].raster.frame));
     put(uvec2(sources.at[0].hostInstance.at[1].raster.cullView));
     put(uvec2(sources.at[0].hostInstance.at[1].raster.visibility));

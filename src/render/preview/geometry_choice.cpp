@@ -1,7 +1,7 @@
-#include "render/tessellation/geometry_choice.h"
+#include "render/preview/geometry_choice.h"
 
 #include "core/error.h"
-#include "render/raster/raster_pass.h"
+#include "render/preview/viewer_raster.h"
 
 namespace sward::render {
 
