@@ -3,6 +3,7 @@
 #define SWARD_LIGHTING_GLSL
 
 #include "shaders/film_curve.glsl"
+#include "shaders/shared/constants.h"
 #include "shaders/shared/debug_mode.h"
 #include "shaders/shared/distance_band.h"
 #include "shaders/shared/passes.h"
@@ -20,14 +21,11 @@
 #include "shaders/shared/wind.h"
 
 /// Known at pipeline creation, see debugAsTold.
-layout(constant_id = 0) const uint knownDebugMode = debugAsTold;
+layout(constant_id = idKnownDebugMode) const uint knownDebugMode = debugAsTold;
 const bool paintsWind = knownDebugMode == debugWind;
 
-/// Target of the picture: 0 Sward's own film, 1 a host's picture as it is, 2 a host's own film, 3 none (depth only).
-layout(constant_id = 9) const uint handedTo = 0u;
-const uint handedToFilm = 0u;
-const uint handedToHostFilm = 2u;
-const uint handedToNone = 3u;
+/// Target of the light; known at pipeline creation.
+layout(constant_id = idOutputMode) const uint outputMode = outputFilm;
 
 /// The debug mode of the frame.
 uint debugMode()
@@ -133,7 +131,7 @@ vec3 throughAir(vec3 color, vec3 direction, float distance)
 /// Converts radiance to the picture, unless a host does so.
 vec3 develop(vec3 radiance)
 {
-    if (handedTo == handedToHostFilm)
+    if (outputMode == outputRadiance)
         return radiance * FRAME.exposure;
     return filmOf(radiance * FRAME.exposure);
 }

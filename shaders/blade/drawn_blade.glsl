@@ -5,6 +5,7 @@
 
 #include "shaders/blade/known_shape.glsl"
 #include "shaders/cull/pages.glsl"
+#include "shaders/shared/constants.h"
 #include "shaders/shared/organ.h"
 #include "shaders/shared/passes.h"
 #include "shaders/shared/ribbon.h"
@@ -15,7 +16,7 @@
 #endif
 
 /// Whether there are compound plants; known at pipeline creation.
-layout(constant_id = 17) const bool mayHaveOrgans = true;
+layout(constant_id = idMayHaveOrgans) const bool mayHaveOrgans = true;
 
 struct DrawnBlade {
     Ribbon ribbon;

@@ -2,10 +2,11 @@
 #ifndef SWARD_KNOWN_SHAPE_GLSL
 #define SWARD_KNOWN_SHAPE_GLSL
 
+#include "shaders/shared/constants.h"
 #include "shaders/shared/shape.h"
 
 /// The shape of all blades, or shapeCount if shapes differ. Known at pipeline creation.
-layout(constant_id = 14) const uint onlyShape = shapeCount;
+layout(constant_id = idOnlyShape) const uint onlyShape = shapeCount;
 
 /// The shape of a species' blades.
 uint knownShape(uint shape)

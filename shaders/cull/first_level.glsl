@@ -1,11 +1,12 @@
 // The finest levels of the depth pyramid. The including shader declares `depths`, and defines farthestAt(), the
 // reversed depth of the farthest of a pixel's samples.
 #include "shaders/cull/finest_levels.glsl"
+#include "shaders/shared/constants.h"
 
 layout(push_constant, scalar) uniform Block { PyramidPush push; };
 
 /// Whether depths are 0 near and 1 far; known at pipeline creation.
-layout(constant_id = 0) const bool hasForwardZ = false;
+layout(constant_id = idHasForwardZ) const bool hasForwardZ = false;
 
 /// The depth with 1 near and 0 far.
 float reversed(float depth)

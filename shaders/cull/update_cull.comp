@@ -6,9 +6,10 @@
 // gather in shared memory, so that hundreds of them cost one atomic on the list. The code does not depend on the
 // subgroup size. If several views share the blades, one role of this shader moves them for all views, and another role
 // culls them for each view.
+#include "shaders/shared/constants.h"
 #include "shaders/shared/passes.h"
 
-layout(local_size_x = updateThreads, local_size_x_id = 2) in;
+layout(local_size_x = updateThreads, local_size_x_id = idThreadsOfGroup) in;
 layout(push_constant, scalar) uniform Block { UpdatePush push; };
 #define FRAME_SET 0
 #include "shaders/frame_constants.glsl"
@@ -18,7 +19,7 @@ layout(push_constant, scalar) uniform Block { UpdatePush push; };
 #define WIND_LATTICE(wind) CULL_VIEW.environment.wind.lattice
 
 // Features that frames may use, see featuresOf(). Known at pipeline creation, so that unused features cost nothing.
-layout(constant_id = 7) const uint features = featureAll;
+layout(constant_id = idFeatures) const uint features = featureAll;
 #define MAY_BE_PAGED ((features & featurePages) != 0u)
 
 #include "shaders/cull/hidden.glsl"
@@ -33,14 +34,14 @@ layout(constant_id = 7) const uint features = featureAll;
 const uint survivorRoom = 512u;
 
 // Known at pipeline creation, so that absent winds and colliders cost nothing.
-layout(constant_id = 0) const uint windCounts = 0u;
-layout(constant_id = 1) const bool hasColliders = false;
-layout(constant_id = 3) const uint role = moveAndCull;
-layout(constant_id = 4) const bool keepsBefore = false;
-layout(constant_id = 5) const bool keepsEtas = false;
-layout(constant_id = 6) const bool testsSmall = false; // see testedSmallPixels
-layout(constant_id = 8) const uint patchesOfGroup = patchesTogether; // or 1; see own_patches.glsl
-layout(constant_id = 9) const uint takes = takesAll;
+layout(constant_id = idWindCounts) const uint windCounts = 0u;
+layout(constant_id = idHasColliders) const bool hasColliders = false;
+layout(constant_id = idRole) const uint role = moveAndCull;
+layout(constant_id = idKeepsBefore) const bool keepsBefore = false;
+layout(constant_id = idKeepsEtas) const bool keepsEtas = false;
+layout(constant_id = idTestsSmall) const bool testsSmall = false; // see testedSmallPixels
+layout(constant_id = idPatchesOfGroup) const uint patchesOfGroup = patchesTogether; // or 1; see own_patches.glsl
+layout(constant_id = idTakes) const uint takes = takesAll;
 
 #include "shaders/cull/own_patches.glsl"
 #include "shaders/cull/visibility_history.glsl"

@@ -3,6 +3,7 @@
 #extension GL_EXT_buffer_reference_uvec2 : require
 // Tests the nodes of one level of the patch tree. Subtrees of culled nodes are skipped and their blades counted.
 // Children of the other nodes go to the next level, and non-empty patches to the list of visible patches.
+#include "shaders/shared/constants.h"
 #include "shaders/shared/passes.h"
 #include "shaders/shared/visibility.h"
 
@@ -11,7 +12,7 @@ layout(push_constant, scalar) uniform Block { WalkPush push; };
 #define CULL_VIEW push.cullView.at[0]
 
 // Number of visible patches per work-group of the update; known at pipeline creation.
-layout(constant_id = 0) const uint patchesOfGroup = patchesTogether;
+layout(constant_id = idPatchesOfGroup) const uint patchesOfGroup = patchesTogether;
 
 #include "shaders/cull/hidden.glsl"
 #include "shaders/cull/pages.glsl"

@@ -2,6 +2,7 @@
 #extension GL_GOOGLE_include_directive : require
 // Draws small opaque triangles into the visibility, one thread each. Lists the others for raster_middle_opaque.comp and
 // raster_large_opaque.comp.
+#include "shaders/shared/constants.h"
 #include "shaders/shared/culling.h"
 #include "shaders/shared/passes.h"
 #include "shaders/shared/opaque.h"
@@ -24,7 +25,7 @@ layout(buffer_reference, scalar, buffer_reference_align = 8) buffer TicketArray
 };
 
 // Whether these are triangles of colliders; known at pipeline creation.
-layout(constant_id = 2) const bool isOfColliders = false;
+layout(constant_id = idIsOfColliders) const bool isOfColliders = false;
 
 // Potentially visible clusters of the work-group, in any order: depths and numbers decide the visibility, not the draw
 // order.

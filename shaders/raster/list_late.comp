@@ -2,12 +2,13 @@
 #extension GL_GOOGLE_include_directive : require
 // Lists the blades of the late pass, which all cover many pixels, for raster_late.comp. One thread per blade; skips
 // blades that the frame's pyramid hides completely.
+#include "shaders/shared/constants.h"
 #include "shaders/shared/passes.h"
 
 layout(push_constant, scalar) uniform Block { RasterPush push; };
 
 // Whether only some blades may be in memory; known at pipeline creation.
-layout(constant_id = 3) const bool isPaged = false;
+layout(constant_id = idIsPaged) const bool isPaged = false;
 #define MAY_BE_PAGED isPaged
 
 #define FRAME_SET 0

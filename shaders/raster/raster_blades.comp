@@ -3,12 +3,13 @@
 // Rasterises the visible blades of the early pass, one thread each. Blades that cover many pixels are listed for
 // raster_large.comp; on a CPU, those with too many pixels for a thread are listed for raster_cut.comp. Blades that
 // reach through the near plane are listed for raster_cut.comp, too.
+#include "shaders/shared/constants.h"
 #include "shaders/shared/passes.h"
 
 layout(push_constant, scalar) uniform Block { RasterPush push; };
 
 // Whether only some blades may be in memory; known at pipeline creation.
-layout(constant_id = 3) const bool isPaged = false;
+layout(constant_id = idIsPaged) const bool isPaged = false;
 #define MAY_BE_PAGED isPaged
 
 #define FRAME_SET 0
@@ -22,7 +23,7 @@ shared uint listedParts;
 shared uint listBase;
 
 // Unit that draws large blades; known at pipeline creation.
-layout(constant_id = 4) const uint largeTo = largeToGroups;
+layout(constant_id = idLargeTo) const uint largeTo = largeToGroups;
 const bool isLate = false;
 
 #include "shaders/raster/large_list.glsl"

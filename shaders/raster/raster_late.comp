@@ -3,12 +3,13 @@
 // Rasterises the late pass of large blades: the remaining segments of blades with an early pass, and all segments of
 // the others. The frame's pyramid hides most segments. One thread tests each segment and computes both of its sections;
 // the rows of potentially visible segments are distributed over all threads.
+#include "shaders/shared/constants.h"
 #include "shaders/shared/passes.h"
 
 layout(push_constant, scalar) uniform Block { RasterPush push; };
 
 // Whether only some blades may be in memory; known at pipeline creation.
-layout(constant_id = 3) const bool isPaged = false;
+layout(constant_id = idIsPaged) const bool isPaged = false;
 #define MAY_BE_PAGED isPaged
 
 #define FRAME_SET 0

@@ -2,11 +2,12 @@
 // declares `depths`, and defines depthOfHost(), the depth of a sample.
 #include "shaders/raster/instances.glsl"
 #include "shaders/raster/visibility.glsl"
+#include "shaders/shared/constants.h"
 
 layout(local_size_x = seedThreads, local_size_y = seedThreads) in;
 
 /// Whether depths are 0 near and 1 far; known at pipeline creation.
-layout(constant_id = 16) const bool hasForwardZ = false;
+layout(constant_id = idHasForwardZ) const bool hasForwardZ = false;
 
 float depthOfHost(ivec2 pixel, uint s);
 

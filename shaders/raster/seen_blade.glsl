@@ -4,11 +4,12 @@
 #define SWARD_RASTER_SEEN_BLADE_GLSL
 
 #include "shaders/blade/blade_colors.glsl"
+#include "shaders/shared/constants.h"
 #include "shaders/shared/passes.h"
 #include "shaders/shared/visibility.h"
 
 /// Whether the leaf-area limit leaves out hidden grass, see leafAreaShare(); known at pipeline creation.
-layout(constant_id = 8) const bool limitsLeafArea = true;
+layout(constant_id = idLimitsLeafArea) const bool limitsLeafArea = true;
 
 /// Index of the patch that contains a blade.
 uint patchOf(uint blade)

@@ -2,6 +2,7 @@
 #extension GL_GOOGLE_include_directive : require
 // The finest levels of the depth pyramid, from the visibility: the ground, and the blades drawn so far. This starts the
 // late pass of large blades.
+#include "shaders/shared/constants.h"
 #include "shaders/shared/passes.h"
 
 layout(push_constant, scalar) uniform Block { RasterPush push; };
@@ -11,7 +12,7 @@ layout(push_constant, scalar) uniform Block { RasterPush push; };
 #include "shaders/raster/put_sample.glsl"
 
 /// Whether the last work-group to finish also fills the coarse levels; known at pipeline creation.
-layout(constant_id = 2) const bool fillsAll = false;
+layout(constant_id = idFillsAll) const bool fillsAll = false;
 
 // For several samples: number of sample pairs in a column of the group's pixels, and in a cell's part of it; number of
 // columns that the threads read at a time; number of cells whose pairs a thread reads with one wait.

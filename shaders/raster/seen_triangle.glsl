@@ -6,10 +6,11 @@
 #extension GL_EXT_control_flow_attributes : require
 
 #include "shaders/raster/visibility.glsl"
+#include "shaders/shared/constants.h"
 #include "shaders/shared/ribbon.h"
 
 // Whether there are folded blades; known at pipeline creation.
-layout(constant_id = 11) const bool mayFold = true;
+layout(constant_id = idMayFold) const bool mayFold = true;
 
 bool isFolded(Ribbon ribbon)
 {

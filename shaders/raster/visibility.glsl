@@ -7,6 +7,7 @@
 #extension GL_EXT_shader_atomic_int64 : require
 #extension GL_EXT_buffer_reference_uvec2 : require
 
+#include "shaders/shared/constants.h"
 #include "shaders/shared/passes.h"
 
 #ifndef FRAME
@@ -20,7 +21,7 @@ layout(buffer_reference, scalar, buffer_reference_align = 8) buffer Visibility
 };
 
 /// Samples per pixel, 1 or 4; known at pipeline creation.
-layout(constant_id = 1) const uint samplesPerPixel = 1u;
+layout(constant_id = idSamplesPerPixel) const uint samplesPerPixel = 1u;
 
 /// Sample positions in a pixel: the standard positions of Vulkan.
 const vec2 fourPlaces[4] =

@@ -3,16 +3,15 @@
 #extension GL_EXT_buffer_reference_uvec2 : require
 
 #include "shaders/film_curve.glsl"
+#include "shaders/shared/constants.h"
 #include "shaders/shared/passes.h"
 
 layout(push_constant, scalar) uniform Block { HostViewPush host; };
 
-// Known at pipeline creation: samples per pixel, target of the picture (lighting.glsl), and whether depths are 0 near
-// and 1 far.
-layout(constant_id = 1) const uint samplesPerPixel = 1u;
-layout(constant_id = 9) const uint handedTo = 1u;
-layout(constant_id = 16) const bool hasForwardZ = false;
-const uint handedToHost = 1u;
+// Known at pipeline creation: samples per pixel, target of the light, and whether depths are 0 near and 1 far.
+layout(constant_id = idSamplesPerPixel) const uint samplesPerPixel = 1u;
+layout(constant_id = idOutputMode) const uint outputMode = outputHost;
+layout(constant_id = idHasForwardZ) const bool hasForwardZ = false;
 
 layout(location = 0) out vec4 outColor;
 #ifdef HAS_MOTION
@@ -32,7 +31,7 @@ void drawPlace(vec2 place)
     const float depth = uintBitsToFloat(lit.y);
     gl_FragDepth = hasForwardZ ? 1.0 - depth : depth;
     const vec3 light = unpackLight(lit.x);
-    outColor = vec4(handedTo == handedToHost ? filmOf(light) : light, 1.0);
+    outColor = vec4(outputMode == outputHost ? filmOf(light) : light, 1.0);
 #ifdef HAS_MOTION
     outMotion = unpackHalf2x16(host.motions.at[index]);
 #endif

@@ -3,9 +3,10 @@
 #define SWARD_RESOLVE_KNOWN_BLADE_GLSL
 
 #include "shaders/resolve/shading_cache.glsl"
+#include "shaders/shared/constants.h"
 
 /// Whether the shading cache is filled; known at pipeline creation.
-layout(constant_id = 15) const bool hasShadingCache = false;
+layout(constant_id = idHasShadingCache) const bool hasShadingCache = false;
 
 SeenBlade seenBlade(uint index)
 {

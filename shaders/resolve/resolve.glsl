@@ -1,14 +1,15 @@
 // Shades the surfaces in a visibility.
 #include "shaders/resolve/known_blade.glsl"
 #include "shaders/resolve/shade_found.glsl"
+#include "shaders/shared/constants.h"
 #include "shaders/shared/visibility.h"
 #include "shaders/preview/sky_light.glsl"
 
 layout(local_size_x = rasterTile, local_size_y = rasterTile) in;
 
 // Whether a work-group's tile may contain blades, and sky; known at pipeline creation.
-layout(constant_id = 12) const bool showsBlades = true;
-layout(constant_id = 13) const bool showsSky = true;
+layout(constant_id = idShowsBlades) const bool showsBlades = true;
+layout(constant_id = idShowsSky) const bool showsSky = true;
 
 /// The film colour of a blade, and 1 − softness, in the middle of the pixel's samples (bits `samples`) that show it.
 /// `depth` is its depth at sample `s`, one of these.

@@ -9,12 +9,13 @@ layout(local_size_x = rasterTile, local_size_y = rasterTile) in;
 
 const uint gatherTile = rasterTile;
 #include "shaders/resolve/gather.glsl"
+#include "shaders/shared/constants.h"
 
 layout(set = STORED_SET, binding = 1, STORED_FORMAT) uniform image2D hostColor;
 layout(set = STORED_SET + 1, binding = 1, r32f) uniform writeonly image2D hostDepth; // only with storesDepth
 
 /// Flags of storesPicture …; known at pipeline creation.
-layout(constant_id = 18) const uint storedAs = storesPicture;
+layout(constant_id = idStoredAs) const uint storedAs = storesPicture;
 
 bool isStoredAs(uint flag)
 {

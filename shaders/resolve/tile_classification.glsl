@@ -4,11 +4,12 @@
 
 #extension GL_EXT_buffer_reference_uvec2 : require
 
+#include "shaders/shared/constants.h"
 #include "shaders/shared/passes.h"
 
 /// The list of tiles of a dispatch, or `tileLists` if it covers all tiles of the picture in order; known at pipeline
 /// creation.
-layout(constant_id = 10) const uint tileList = tileLists;
+layout(constant_id = idTileList) const uint tileList = tileLists;
 
 /// Finds the tile; false if the work-group has none.
 bool findTile(out uvec2 tile)

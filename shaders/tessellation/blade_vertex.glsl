@@ -59,7 +59,7 @@ void main()
     outWhich = uvec3(ribbon.outline.shape, uint(ribbon.outline.segments), ribbon.seed);
 
     BladeSurface surface = BladeSurface(vec4(0.0), vec4(0.0), vec4(0.0));
-    if (handedTo != handedToNone)
+    if (outputMode != outputNone)
         surface = bladeSurface(drawn, visible, leafAreaLimitOf(FRAME.view, FRAME.patches.at[visible.patchIndex]));
     const BladeVaryings varyings = varyingsOf(ribbon, surface);
     outSurface = varyings.surface;

@@ -1,15 +1,25 @@
-"""Compiled shaders keep two rules of SPIR-V that spirv-val knows since 2025, and so does the validation layer: whatever
-spirv-val a machine has. scripts/validate-shaders asks the newest.
+"""Rules of shaders. Compiled ones keep two rules of SPIR-V that spirv-val knows since 2025, and so does the validation
+layer: whatever spirv-val a machine has. scripts/validate-shaders asks the newest. Sources name specialisation constants
+by the ids of shaders/shared/constants.h.
 
     shaders_test.py MODULES      compiled modules, separated by semicolons
 """
 
+import re
 import struct
 import sys
 import unittest
 from pathlib import Path
 
+ROOT = Path(__file__).resolve().parents[2]
 MODULES = [Path(name) for name in sys.argv[1].split(";")]
+STAGES = (".comp", ".vert", ".tesc", ".tese", ".frag")
+
+# A declared id; its use by a constant of GLSL, which may be the size of a work-group; a literal in C++.
+DECLARED_ID = re.compile(r"\bSHARED_CONST uint (id[A-Z]\w*) = (\d+)u;")
+CONSTANT = re.compile(r"\bconstant_id\s*=\s*(\w+)\s*\)\s*const\s+(\w+)\s+(\w+)")
+CONSTANT_ID = re.compile(r"\b(?:constant|local_size_[xyz])_id\s*=\s*(\w+)")
+GIVEN_ID = re.compile(r"\.id\s*=\s*(?:\w+::)*(\w+)")
 
 # Opcodes, by the specification's names.
 TYPE_INT, TYPE_FLOAT, TYPE_VECTOR, TYPE_MATRIX, TYPE_ARRAY, TYPE_RUNTIME_ARRAY = 21, 22, 23, 24, 28, 29
@@ -86,6 +96,41 @@ class Module:
         return found
 
 
+def texts(*tops, suffixes):
+    """The sources below some folders, by path."""
+    files = sorted(file for top in tops for file in (ROOT / top).rglob("*") if file.suffix in suffixes)
+    return {file.relative_to(ROOT).as_posix(): file.read_text(encoding="utf-8") for file in files}
+
+
+def wrong_ids(declarations, glsl, cpp):
+    """What is wrong with the ids of specialisation constants: in the text of constants.h, and in sources by path."""
+    declared = DECLARED_ID.findall(declarations)
+    names = {name for name, _ in declared}
+    found = [f"{name}: the number {number} is used twice" for i, (name, number) in enumerate(declared)
+             if number in [other for _, other in declared[:i]]]
+    shaders, types = set(), {}
+    for path, text in glsl.items():
+        for name in CONSTANT_ID.findall(text):
+            shaders.add(name)
+            if name not in names:
+                found.append(f"{path}: '{name}' is no id of constants.h")
+        for name, type_, constant in CONSTANT.findall(text):
+            if name in names and name != "id" + constant[0].upper() + constant[1:]:
+                found.append(f"{path}: '{constant}' has the id '{name}'")
+            if types.setdefault(name, type_) != type_:
+                found.append(f"{path}: '{constant}' has two types")
+    pipelines = set()
+    for path, text in cpp.items():
+        for name in GIVEN_ID.findall(text):
+            pipelines.add(name)
+            if name.isdigit():
+                found.append(f"{path}: '.id = {name}' is a literal")
+    for name in sorted(names):
+        found += [f"{name}: no {side} uses it" for side, used in (("shader", shaders), ("pipeline", pipelines))
+                  if name not in used]
+    return found
+
+
 def assembled(*instructions):
     words = [0x07230203, 0x00010600, 0, 100, 0]
     for code, *operands in instructions:
@@ -119,6 +164,33 @@ class Shaders(unittest.TestCase):
         for how in ((ALIGNED, 4), ()):
             self.assertEqual(assembled(*types, (LOAD, 3, 6, 5, *how)).misaligned(), [5])
             self.assertEqual(assembled(*types, (STORE, 5, 6, *how)).misaligned(), [5])
+
+
+class SpecialisationConstants(unittest.TestCase):
+    def test_each_id_is_declared_once_and_means_one_constant(self):
+        declarations = (ROOT / "shaders/shared/constants.h").read_text(encoding="utf-8")
+        self.assertGreater(len(DECLARED_ID.findall(declarations)), 20)
+        self.assertEqual(wrong_ids(declarations, texts("shaders", suffixes=(".glsl",) + STAGES),
+                                   texts("src", suffixes=(".cpp", ".h"))), [])
+
+    def test_the_check_sees_each_wrong_id(self):
+        two = "SHARED_CONST uint idRole = 3u;\nSHARED_CONST uint idSize = 4u;\n"
+        glsl = "layout(constant_id = idRole) const uint role = 0u;\nlayout(local_size_x_id = idSize) in;\n"
+        cpp = "{{.id = shared::idRole, .value = 1}, {.id = shared::idSize, .value = 2}}"
+        self.assertEqual(wrong_ids(two, {"a": glsl}, {"b": cpp}), [])
+        planted = [
+            (two.replace("4u", "3u"), glsl, cpp, "idSize: the number 3 is used twice"),
+            (two, glsl + "layout(constant_id = 7) const bool is = true;", cpp, "a: '7' is no id of constants.h"),
+            (two, glsl + "layout(local_size_y_id = 2) in;", cpp, "a: '2' is no id of constants.h"),
+            (two, glsl + "layout(constant_id = idRole) const uint part = 0u;", cpp, "a: 'part' has the id 'idRole'"),
+            (two, glsl + "layout(constant_id = idRole) const bool role = true;", cpp, "a: 'role' has two types"),
+            (two, glsl, cpp + "{.id = 3, .value = 1}", "b: '.id = 3' is a literal"),
+            (two + "SHARED_CONST uint idMore = 5u;", glsl, cpp + "{.id = idMore}", "idMore: no shader uses it"),
+            (two, glsl, cpp.replace("idSize", "idRole"), "idSize: no pipeline uses it"),
+        ]
+        for declarations, shader, pipeline, reason in planted:
+            with self.subTest(reason=reason):
+                self.assertEqual(wrong_ids(declarations, {"a": shader}, {"b": pipeline}), [reason])
 
 
 if __name__ == "__main__":

@@ -2,6 +2,7 @@
 
 #include "core/expect.h"
 #include "gpu/recording/barrier.h"
+#include "shaders/shared/constants.h"
 #include "shaders/shared/passes.h"
 
 namespace sward::render {
@@ -48,8 +49,8 @@ PyramidPass::PyramidPass(const gpu::DeviceContext& context, const gpu::ShaderLib
            .shader = settings.samples > 1 ? "pyramid_first_of_several.comp" : "pyramid_first.comp",
            .pushConstantBytes = sizeof(shared::PyramidPush),
            .setLayouts = {imageLayout_.get()},
-           .constants = {{.id = 0, .value = settings.hasReversedZ ? 0u : 1u},
-                         {.id = 1, .value = settings.samples}}})
+           .constants = {{.id = shared::idHasForwardZ, .value = settings.hasReversedZ ? 0u : 1u},
+                         {.id = shared::idSamplesPerPixel, .value = settings.samples}}})
     , rest_(context, shaders,
             {.name = "pyramid/rest",
              .shader = "pyramid_rest.comp",

@@ -2,6 +2,7 @@
 
 #include "core/expect.h"
 #include "gpu/recording/barrier.h"
+#include "shaders/shared/constants.h"
 #include "shaders/shared/passes.h"
 
 #include <algorithm>
@@ -80,16 +81,18 @@ void UpdateCullPass::prepareOne(const gpu::ShaderLibrary& shaders, Pipeline want
                      .shader = "update_cull.comp",
                      .pushConstantBytes = sizeof(shared::UpdatePush),
                      .setLayouts = {frameLayout_.get()},
-                     .constants = {{.id = 0, .value = variant.windCounts},
-                                   {.id = 1, .value = variant.hasColliders},
-                                   {.id = 2, .value = threadsOf(*context_, variant.hasColliders)},
-                                   {.id = 3, .value = static_cast<std::uint32_t>(variant.role)},
-                                   {.id = 4, .value = variant.keepsBefore},
-                                   {.id = 5, .value = variant.keepsEtas},
-                                   {.id = 6, .value = variant.testsSmall},
-                                   {.id = 7, .value = variant.features},
-                                   {.id = 8, .value = patchesOfGroup(*context_)},
-                                   {.id = 9, .value = wanted.takes}}}));
+                     .constants = {
+                         {.id = shared::idWindCounts, .value = variant.windCounts},
+                         {.id = shared::idHasColliders, .value = variant.hasColliders},
+                         {.id = shared::idThreadsOfGroup,
+                          .value = threadsOf(*context_, variant.hasColliders)},
+                         {.id = shared::idRole, .value = static_cast<std::uint32_t>(variant.role)},
+                         {.id = shared::idKeepsBefore, .value = variant.keepsBefore},
+                         {.id = shared::idKeepsEtas, .value = variant.keepsEtas},
+                         {.id = shared::idTestsSmall, .value = variant.testsSmall},
+                         {.id = shared::idFeatures, .value = variant.features},
+                         {.id = shared::idPatchesOfGroup, .value = patchesOfGroup(*context_)},
+                         {.id = shared::idTakes, .value = wanted.takes}}}));
 }
 
 void UpdateCullPass::bind(const gpu::Recording& commands, Pipeline wanted,

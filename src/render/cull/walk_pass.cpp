@@ -2,6 +2,7 @@
 
 #include "gpu/recording/barrier.h"
 #include "render/cull/update_cull_pass.h"
+#include "shaders/shared/constants.h"
 #include "shaders/shared/passes.h"
 
 namespace sward::render {
@@ -12,7 +13,8 @@ WalkPass::WalkPass(const gpu::DeviceContext& context, const gpu::ShaderLibrary& 
             {.name = "walk the patch tree",
              .shader = "walk_tree.comp",
              .pushConstantBytes = sizeof(shared::WalkPush),
-             .constants = {{.id = 0, .value = UpdateCullPass::patchesOfGroup(context)}}})
+             .constants = {{.id = shared::idPatchesOfGroup,
+                            .value = UpdateCullPass::patchesOfGroup(context)}}})
 {
 }
 

@@ -1,5 +1,6 @@
 #include "render/preview/ground_pass.h"
 
+#include "shaders/shared/constants.h"
 #include "shaders/shared/passes.h"
 
 namespace sward::render {
@@ -20,7 +21,7 @@ gpu::GraphicsPipeline createPipeline(const gpu::DeviceContext& context,
     settings.depthFormat = depthFormat;
     settings.samples = target.samples;
     settings.cullMode = cullMode;
-    settings.constants = {{.id = 0, .value = target.debugMode}};
+    settings.constants = {{.id = shared::idKnownDebugMode, .value = target.debugMode}};
     return {context, shaders, settings};
 }
 

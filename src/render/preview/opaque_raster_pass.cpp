@@ -3,6 +3,7 @@
 #include "core/expect.h"
 #include "gpu/memory/image_use.h"
 #include "gpu/recording/barrier.h"
+#include "shaders/shared/constants.h"
 
 #include <algorithm>
 #include <cstddef>
@@ -58,7 +59,7 @@ gpu::ComputePipeline
 OpaqueRasterPass::pipeline(const gpu::ShaderLibrary& shaders, const char* name, const char* shader,
                            std::vector<gpu::SpecializationConstant> constants) const
 {
-    constants.push_back({.id = 1, .value = target_.samples});
+    constants.push_back({.id = shared::idSamplesPerPixel, .value = target_.samples});
     return {*context_,
             shaders,
             {.name = name,
@@ -74,12 +75,12 @@ void OpaqueRasterPass::prepare(const gpu::ShaderLibrary& shaders, std::uint32_t 
     colliderTriangles_ = colliders * shared::colliderTriangles;
     debugMode_ = debugMode;
     if (colliders > 0 && colliders_.get() == VK_NULL_HANDLE)
-        colliders_ =
-            pipeline(shaders, "opaque/colliders", "raster_opaque.comp", {{.id = 2, .value = 1u}});
+        colliders_ = pipeline(shaders, "opaque/colliders", "raster_opaque.comp",
+                              {{.id = shared::idIsOfColliders, .value = 1u}});
     if (!light_.contains(debugMode))
         light_.emplace(debugMode, pipeline(shaders, "opaque/light", "light_opaque.comp",
-                                           {{.id = 0, .value = debugMode},
-                                            {.id = 10,
+                                           {{.id = shared::idKnownDebugMode, .value = debugMode},
+                                            {.id = shared::idTileList,
                                              .value = target_.sortsTiles ? shared::tilesOfOpaque
                                                                          : shared::tileLists}}));
 }

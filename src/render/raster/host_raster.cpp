@@ -4,6 +4,7 @@
 #include "render/field/placed_field.h"
 #include "render/raster/raster_rounds.h"
 #include "render/target_settings.h"
+#include "shaders/shared/constants.h"
 
 #include <algorithm>
 #include <cstring>
@@ -116,14 +117,14 @@ bool HostRaster::hasTwoPasses(const HostView& view, Instances instances,
 gpu::ComputePipeline HostRaster::seedFor(const gpu::ShaderLibrary& shaders, std::uint32_t samples,
                                          bool hasReversedZ) const
 {
-    return {
-        *context_,
-        shaders,
-        {.name = "host raster/seed",
-         .shader = samples > 1 ? "seed_visibility_of_several.comp" : "seed_visibility.comp",
-         .pushConstantBytes = sizeof(shared::HostViewPush),
-         .setLayouts = {imageLayout_.get()},
-         .constants = {{.id = 1, .value = samples}, {.id = 16, .value = hasReversedZ ? 0u : 1u}}}};
+    return {*context_,
+            shaders,
+            {.name = "host raster/seed",
+             .shader = samples > 1 ? "seed_visibility_of_several.comp" : "seed_visibility.comp",
+             .pushConstantBytes = sizeof(shared::HostViewPush),
+             .setLayouts = {imageLayout_.get()},
+             .constants = {{.id = shared::idSamplesPerPixel, .value = samples},
+                           {.id = shared::idHasForwardZ, .value = hasReversedZ ? 0u : 1u}}}};
 }
 
 void HostRaster::prepare(const gpu::ShaderLibrary& shaders, const HostView& view,

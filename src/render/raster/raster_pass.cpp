@@ -2,6 +2,7 @@
 
 #include "core/expect.h"
 #include "gpu/recording/barrier.h"
+#include "shaders/shared/constants.h"
 
 #include <vector>
 
@@ -76,20 +77,21 @@ void RasterPass::make(const gpu::ShaderLibrary& shaders, Stage stage, const Vari
     std::vector<VkDescriptorSetLayout> sets;
     if (!shader.isOfInstances)
         sets.push_back(frameLayout_.get());
-    pipelines_.emplace(key,
-                       gpu::ComputePipeline(
-                           *context_, shaders,
-                           {.name = shader.name,
-                            .shader = shader.shader,
-                            .pushConstantBytes = pushBytes,
+    pipelines_.emplace(
+        key, gpu::ComputePipeline(
+                 *context_, shaders,
+                 {.name = shader.name,
+                  .shader = shader.shader,
+                  .pushConstantBytes = pushBytes,
                   .setLayouts = std::move(sets),
-                            .constants = {{.id = 1, .value = variant.samples},
-                                          {.id = 2, .value = stage == Stage::allDepths},
-                                          {.id = 3, .value = variant.isPaged},
-                                          {.id = 4, .value = largeTo},
-                                          {.id = 11, .value = variant.looks.mayFold},
-                                          {.id = 14, .value = variant.looks.onlyShape},
-                                          {.id = 17, .value = variant.looks.mayHaveOrgans}}}));
+                  .constants = {
+                      {.id = shared::idSamplesPerPixel, .value = variant.samples},
+                      {.id = shared::idFillsAll, .value = stage == Stage::allDepths},
+                      {.id = shared::idIsPaged, .value = variant.isPaged},
+                      {.id = shared::idLargeTo, .value = largeTo},
+                      {.id = shared::idMayFold, .value = variant.looks.mayFold},
+                      {.id = shared::idOnlyShape, .value = variant.looks.onlyShape},
+                      {.id = shared::idMayHaveOrgans, .value = variant.looks.mayHaveOrgans}}}));
 }
 
 const gpu::ComputePipeline& RasterPass::made(Stage stage, const Variant& variant) const

@@ -1,13 +1,12 @@
 #include "render/resolve/host_lighting.h"
 
 #include "render/host_shadow_maps.h"
+#include "shaders/shared/constants.h"
 
 #include <string>
 
 namespace sward::render {
 namespace {
-
-constexpr std::uint32_t asRadiance = 2; ///< see lighting.glsl
 
 std::uint32_t flagsOf(const HostView& view)
 {
@@ -56,15 +55,15 @@ gpu::ComputePipeline HostLighting::pipelineFor(const gpu::ShaderLibrary& shaders
              .shader = shader,
              .pushConstantBytes = sizeof(shared::HostViewPush),
              .setLayouts = sets,
-             .constants = {{.id = 0, .value = settings.debugMode},
-                           {.id = 1, .value = settings.samples},
-                           {.id = 8, .value = settings.limitsLeafArea},
-                           {.id = 9, .value = asRadiance},
-                           {.id = 11, .value = settings.looks.mayFold},
-                           {.id = 14, .value = settings.looks.onlyShape},
-                           {.id = 15, .value = settings.hasShadingCache},
-                           {.id = 17, .value = settings.looks.mayHaveOrgans},
-                           {.id = 18, .value = settings.storedAs}}}};
+             .constants = {{.id = shared::idKnownDebugMode, .value = settings.debugMode},
+                           {.id = shared::idSamplesPerPixel, .value = settings.samples},
+                           {.id = shared::idLimitsLeafArea, .value = settings.limitsLeafArea},
+                           {.id = shared::idOutputMode, .value = shared::outputRadiance},
+                           {.id = shared::idMayFold, .value = settings.looks.mayFold},
+                           {.id = shared::idOnlyShape, .value = settings.looks.onlyShape},
+                           {.id = shared::idHasShadingCache, .value = settings.hasShadingCache},
+                           {.id = shared::idMayHaveOrgans, .value = settings.looks.mayHaveOrgans},
+                           {.id = shared::idStoredAs, .value = settings.storedAs}}}};
 }
 
 HostLighting::View HostLighting::prepare(const gpu::ShaderLibrary& shaders, std::uint32_t slot,

@@ -3,6 +3,7 @@
 #include "core/expect.h"
 #include "gpu/memory/image_use.h"
 #include "gpu/recording/barrier.h"
+#include "shaders/shared/constants.h"
 
 #include <array>
 #include <span>
@@ -49,7 +50,7 @@ ResolvePass::ResolvePass(const gpu::DeviceContext& context, const gpu::ShaderLib
 {
     if (target.samples > 1)
         reconstruct_ = pipeline(shaders, "raster/reconstruct", "reconstruct.comp",
-                                {{.id = 10, .value = shared::tilesOfSoft}});
+                                {{.id = shared::idTileList, .value = shared::tilesOfSoft}});
     if (target.sortsTiles || target.samples > 1)
         tiles_.emplace(context, shaders, target.samples, target.sortsTiles);
 }
@@ -58,7 +59,7 @@ gpu::ComputePipeline ResolvePass::pipeline(const gpu::ShaderLibrary& shaders, co
                                            const char* shader,
                                            std::vector<gpu::SpecializationConstant> constants) const
 {
-    constants.push_back({.id = 1, .value = target_.samples});
+    constants.push_back({.id = shared::idSamplesPerPixel, .value = target_.samples});
     return {*context_,
             shaders,
             {.name = name,
@@ -78,17 +79,19 @@ void ResolvePass::prepare(const gpu::ShaderLibrary& shaders, Shading shading)
         target_.sortsTiles ? std::span<const Shown>(byContent) : all;
     for (const Shown& shown : lists)
         parts.push_back(
-            {shown.list, pipeline(shaders, "raster/resolve",
-                                  target_.samples > 1 ? "resolve_of_four.comp" : "resolve.comp",
-                                  {{.id = 0, .value = shading.debugMode},
-                                   {.id = 8, .value = shading.limitsLeafArea ? 1u : 0u},
-                                   {.id = 10, .value = shown.list},
-                                   {.id = 11, .value = target_.looks.mayFold ? 1u : 0u},
-                                   {.id = 12, .value = shown.blades ? 1u : 0u},
-                                   {.id = 13, .value = shown.sky ? 1u : 0u},
-                                   {.id = 14, .value = target_.looks.onlyShape},
-                                   {.id = 17, .value = target_.looks.mayHaveOrgans ? 1u : 0u},
-                                   {.id = 15, .value = shading.hasShadingCache ? 1u : 0u}})});
+            {shown.list,
+             pipeline(
+                 shaders, "raster/resolve",
+                 target_.samples > 1 ? "resolve_of_four.comp" : "resolve.comp",
+                 {{.id = shared::idKnownDebugMode, .value = shading.debugMode},
+                  {.id = shared::idLimitsLeafArea, .value = shading.limitsLeafArea ? 1u : 0u},
+                  {.id = shared::idTileList, .value = shown.list},
+                  {.id = shared::idMayFold, .value = target_.looks.mayFold ? 1u : 0u},
+                  {.id = shared::idShowsBlades, .value = shown.blades ? 1u : 0u},
+                  {.id = shared::idShowsSky, .value = shown.sky ? 1u : 0u},
+                  {.id = shared::idOnlyShape, .value = target_.looks.onlyShape},
+                  {.id = shared::idMayHaveOrgans, .value = target_.looks.mayHaveOrgans ? 1u : 0u},
+                  {.id = shared::idHasShadingCache, .value = shading.hasShadingCache ? 1u : 0u}})});
     parts_.emplace(shading, std::move(parts));
 }
 

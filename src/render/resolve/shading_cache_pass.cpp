@@ -35,18 +35,19 @@ const gpu::ComputePipeline& ShadingCachePass::prepare(const gpu::ShaderLibrary& 
     if (found != pipelines_.end())
         return found->second;
     const auto made = pipelines_.emplace(
-        variant,
-        gpu::ComputePipeline(*context_, shaders,
-                             {.name = "raster/surfaces",
-                              .shader = "fill_shading_cache.comp",
-                              .pushConstantBytes = sizeof(shared::RasterPush),
-                              .setLayouts = {frameLayout_.get()},
-                              .constants = {{.id = 0, .value = variant.shading.debugMode},
-                                            {.id = 1, .value = variant.samples},
-                                            {.id = 8, .value = variant.shading.limitsLeafArea},
-                                            {.id = 11, .value = variant.looks.mayFold},
-                                            {.id = 14, .value = variant.looks.onlyShape},
-                                            {.id = 17, .value = variant.looks.mayHaveOrgans}}}));
+        variant, gpu::ComputePipeline(
+                     *context_, shaders,
+                     {.name = "raster/surfaces",
+                      .shader = "fill_shading_cache.comp",
+                      .pushConstantBytes = sizeof(shared::RasterPush),
+                      .setLayouts = {frameLayout_.get()},
+                      .constants = {
+                          {.id = shared::idKnownDebugMode, .value = variant.shading.debugMode},
+                          {.id = shared::idSamplesPerPixel, .value = variant.samples},
+                          {.id = shared::idLimitsLeafArea, .value = variant.shading.limitsLeafArea},
+                          {.id = shared::idMayFold, .value = variant.looks.mayFold},
+                          {.id = shared::idOnlyShape, .value = variant.looks.onlyShape},
+                          {.id = shared::idMayHaveOrgans, .value = variant.looks.mayHaveOrgans}}}));
     return made.first->second;
 }
 

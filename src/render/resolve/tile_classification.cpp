@@ -1,5 +1,7 @@
 #include "render/resolve/tile_classification.h"
 
+#include "shaders/shared/constants.h"
+
 #include <algorithm>
 #include <array>
 
@@ -11,11 +13,12 @@ TileClassification::TileClassification(const gpu::DeviceContext& context,
     : context_(&context)
 {
     if (sorts)
-        sort_ = gpu::ComputePipeline(context, shaders,
-                                     {.name = "raster/tiles",
-                                      .shader = "sort_tiles.comp",
-                                      .pushConstantBytes = sizeof(shared::RasterPush),
-                                      .constants = {{.id = 1, .value = samples}}});
+        sort_ = gpu::ComputePipeline(
+            context, shaders,
+            {.name = "raster/tiles",
+             .shader = "sort_tiles.comp",
+             .pushConstantBytes = sizeof(shared::RasterPush),
+             .constants = {{.id = shared::idSamplesPerPixel, .value = samples}}});
 }
 
 void TileClassification::resize(VkExtent2D size)

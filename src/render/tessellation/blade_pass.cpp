@@ -1,5 +1,6 @@
 #include "render/tessellation/blade_pass.h"
 
+#include "shaders/shared/constants.h"
 #include "shaders/shared/passes.h"
 
 namespace sward::render {
@@ -24,7 +25,7 @@ BladePass::BladePass(const gpu::DeviceContext& context, const gpu::ShaderLibrary
     settings.colorFormats = {target.colorFormat};
     settings.depthFormat = depthFormat;
     settings.samples = target.samples;
-    settings.constants = {{.id = 0, .value = target.debugMode}};
+    settings.constants = {{.id = shared::idKnownDebugMode, .value = target.debugMode}};
     pipeline_ = gpu::GraphicsPipeline(context, shaders, settings);
 }
 

@@ -6,6 +6,7 @@
 #include "gpu/pipeline/shader_library.h"
 #include "render/host_shadow_maps.h"
 #include "render/tessellation/blade_pass.h"
+#include "shaders/shared/constants.h"
 #include "shaders/shared/passes.h"
 
 namespace sward::embedded {
@@ -14,11 +15,6 @@ std::span<const EmbeddedFile> shaders();
 
 namespace sward::render {
 namespace {
-
-// Output modes of lighting.glsl.
-constexpr std::uint32_t toHost = 1;
-constexpr std::uint32_t toHostFilm = 2;
-constexpr std::uint32_t toNone = 3;
 
 /// Sets the common state of a target's pipelines.
 void setTarget(gpu::GraphicsPipelineSettings& settings, const HostTarget& target)
@@ -31,10 +27,10 @@ void setTarget(gpu::GraphicsPipelineSettings& settings, const HostTarget& target
     settings.subpass = target.subpass;
     settings.samples = target.samples;
     settings.depthCompare = target.hasReversedZ ? VK_COMPARE_OP_GREATER : VK_COMPARE_OP_LESS;
-    const std::uint32_t handedTo = target.colorFormats.empty() ? toNone
-                                   : target.keepsRadiance      ? toHostFilm
-                                                               : toHost;
-    settings.constants = {{.id = 9, .value = handedTo}};
+    const std::uint32_t output = target.colorFormats.empty() ? shared::outputNone
+                                 : target.keepsRadiance      ? shared::outputRadiance
+                                                             : shared::outputHost;
+    settings.constants = {{.id = shared::idOutputMode, .value = output}};
 }
 
 using gpu::FormatKind;
@@ -112,8 +108,9 @@ gpu::GraphicsPipelineSettings visibilityPipelineFor(const HostTarget& target)
             target.samples > 1 ? "draw_visibility_of_four.frag" : "draw_visibility.frag";
     settings.pushConstantBytes = sizeof(shared::HostViewPush);
     setTarget(settings, target);
-    settings.constants.push_back({.id = 1, .value = target.samples});
-    settings.constants.push_back({.id = 16, .value = target.hasReversedZ ? 0u : 1u});
+    settings.constants.push_back({.id = shared::idSamplesPerPixel, .value = target.samples});
+    settings.constants.push_back(
+        {.id = shared::idHasForwardZ, .value = target.hasReversedZ ? 0u : 1u});
     return settings;
 }
 

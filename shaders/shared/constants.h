@@ -1,0 +1,54 @@
+// Ids of all specialisation constants, for both sides. An id belongs to one constant, whose GLSL
+// name follows "id":
+//     layout(constant_id = idHasForwardZ) const bool hasForwardZ = false;
+// A pipeline may give constants that a stage does not have.
+#ifndef SWARD_SHARED_CONSTANTS_H
+#define SWARD_SHARED_CONSTANTS_H
+
+#include "shaders/shared/types.h"
+
+SHARED_BEGIN
+
+// Of views and pictures.
+SHARED_CONST uint idKnownDebugMode = 0u;  ///< a mode, or debugAsTold: see debug_mode.h
+SHARED_CONST uint idSamplesPerPixel = 1u; ///< 1 or 4
+SHARED_CONST uint idHasForwardZ = 2u;     ///< depths are 0 near and 1 far; else 1 near and 0 far
+SHARED_CONST uint idOutputMode = 3u;      ///< outputFilm …
+SHARED_CONST uint idStoredAs = 4u;        ///< flags storesPicture …: see passes.h
+
+// Of what blades a field has.
+SHARED_CONST uint idIsPaged = 5u;       ///< its blades lie on pages
+SHARED_CONST uint idOnlyShape = 6u;     ///< the shape of all blades; shapeCount if they differ
+SHARED_CONST uint idMayFold = 7u;       ///< blades may be folded
+SHARED_CONST uint idMayHaveOrgans = 8u; ///< there may be compound plants
+
+// Of update and cull.
+SHARED_CONST uint idRole = 9u;            ///< moveAndCull …
+SHARED_CONST uint idTakes = 10u;          ///< takesAll …: the patches
+SHARED_CONST uint idFeatures = 11u;       ///< see featuresOf()
+SHARED_CONST uint idWindCounts = 12u;     ///< Wind::counts; 0: nothing is moved
+SHARED_CONST uint idHasColliders = 13u;   ///< else no blade is near one
+SHARED_CONST uint idKeepsBefore = 14u;    ///< stores states before the motion
+SHARED_CONST uint idKeepsEtas = 15u;      ///< stores the collision state
+SHARED_CONST uint idTestsSmall = 16u;     ///< see testedSmallPixels
+SHARED_CONST uint idPatchesOfGroup = 17u; ///< that a work-group takes together
+SHARED_CONST uint idThreadsOfGroup = 18u; ///< of the update
+
+// Of rasteriser and resolve.
+SHARED_CONST uint idLargeTo = 19u;         ///< largeToGroups …
+SHARED_CONST uint idFillsAll = 20u;        ///< all levels of the pyramid; else the finest
+SHARED_CONST uint idIsOfColliders = 21u;   ///< triangles of colliders; else of the ground
+SHARED_CONST uint idTileList = 22u;        ///< tilesOfBlades …: see tile_classification.h
+SHARED_CONST uint idShowsBlades = 23u;     ///< the tiles may show blades
+SHARED_CONST uint idShowsSky = 24u;        ///< … and sky
+SHARED_CONST uint idHasShadingCache = 25u; ///< see shading_cache.glsl
+SHARED_CONST uint idLimitsLeafArea = 26u;  ///< see leafAreaLimitOf()
+
+// Output modes.
+SHARED_CONST uint outputFilm = 0u;     ///< Sward's own film, for the viewer
+SHARED_CONST uint outputHost = 1u;     ///< a host's picture, through the film curve
+SHARED_CONST uint outputRadiance = 2u; ///< exposed radiance, for a host's own film curve
+SHARED_CONST uint outputNone = 3u;     ///< depth only
+
+SHARED_END
+#endif
