@@ -1,5 +1,7 @@
 """Tables and plots of what scripts/bench has measured."""
 
+import textwrap
+
 from bench_groups import AIMS, ALL_MOVED
 import svg_plot
 
@@ -28,7 +30,13 @@ def p99(run, name):
 
 
 def cell(run, name):
-    return f"{median(run, name):.3f} / {p99(run, name):.3f}"
+    """Without spaces, so that rows stay short; a pass that did not run is a dash."""
+    return f"{median(run, name):.3f}/{p99(run, name):.3f}" if p99(run, name) > 0 else "–"
+
+
+def paragraph(words, indent=""):
+    """Lines of a page, of at most 150 characters; commands are broken between their words."""
+    return textwrap.wrap(words, 150, subsequent_indent=indent, break_long_words=False, break_on_hyphens=False)
 
 
 def table(head, rows):
@@ -38,7 +46,11 @@ def table(head, rows):
 
 def row_of(run):
     blades = run["stats"]["blades"]
-    return [blades["resident"], blades["simulated"], blades["drawn"], run["stats"]["samples"], *(cell(run, name) for name in PASSES)]
+    return [blades["resident"], blades["simulated"], blades["drawn"], run["stats"]["samples"], *passes_of(run)]
+
+
+def passes_of(run):
+    return [cell(run, name) for name in PASSES]
 
 
 HEAD = ["resident", "moved", "drawn", "samples", *PASSES]
@@ -50,12 +62,12 @@ class Report:
         self.lines, self.plots = [], 0
 
     def section(self, title, words):
-        self.lines += [f"## {title}", "", words, ""]
+        self.lines += [f"## {title}", "", *paragraph(words), ""]
 
     def add(self, head, runs, rows):
         """A table, under it where it is from; the command of its first row, the others are in measured.json."""
         self.lines += table(head, rows)
-        self.lines += [f"{about(self.measurement, runs, 'median / p99 [ms]')}. First row: `{runs[0]['command']}`.", ""]
+        self.lines += [*paragraph(f"{about(self.measurement, runs, 'median/p99 [ms]')}. First row: `{runs[0]['command']}`."), ""]
 
     def plot(self, name, drawing):
         (self.folder / f"{name}.svg").write_text(drawing, encoding="utf-8")
@@ -171,9 +183,12 @@ def culling_section(report, runs):
         chosen = [run for run in runs if run["scene"] == scene]
         cuts = list(chosen[0]["stats"]["blades"]["culled"])
         report.lines += [f"### {scene}", ""]
-        report.add(["tests", *(f"by {cut}" for cut in cuts), "thinned", *HEAD], chosen,
-                   [[run["way"], *(run["stats"]["blades"]["culled"][cut] for cut in cuts), run["stats"]["blades"]["lod"], *row_of(run)]
-                    for run in chosen])
+        rows = []
+        for run in chosen:
+            blades = run["stats"]["blades"]
+            rows.append([run["way"], *(blades["culled"][cut] for cut in cuts), blades["lod"], blades["simulated"], blades["drawn"],
+                         *passes_of(run)])
+        report.add(["tests", *(f"by {cut}" for cut in cuts), "thinned", "moved", "drawn", *PASSES], chosen, rows)
         report.bars(f"culling-{scene}", f"{scene}: each culling test alone, and all", parts, chosen, [run["way"] for run in chosen])
 
 
@@ -187,7 +202,7 @@ def coverage_section(report, runs):
         rows.append(["all", f"{100 * sum(found):.3f}", f"{100 * sum(wanted):.3f}", f"{sum(found) / max(sum(wanted), 1e-9):.4f}"])
         report.lines += [f"### {run['scene']}, {run['way']}", ""]
         report.lines += table(["distance", "found", "reference", "ratio"], rows)
-        report.lines += [f"{about(report.measurement, [run], 'light of one frame')}. `{run['command']}`.", ""]
+        report.lines += [*paragraph(f"{about(report.measurement, [run], 'light of one frame')}. `{run['command']}`."), ""]
 
 
 SECTIONS = {"table": table_section, "growth": growth_section, "visible": visible_section, "levels": levels_section,
@@ -207,8 +222,11 @@ def write_report(measurements, folder):
     folder.mkdir(parents=True, exist_ok=True)
     report = Report(merged, folder)
     report.lines += ["# Measured by scripts/bench", ""]
-    report.lines += [f"* `{measurement['command']}`, commit {measurement['commit']}, {measurement['copies']['device']}, "
-                     f"{measurement['copies']['driver']}" for measurement in measurements] + [""]
+    for measurement in measurements:
+        copies = measurement["copies"]
+        report.lines += paragraph(f"* `{measurement['command']}`, commit {measurement['commit']}, {copies['device']}, "
+                                  f"{copies['driver']}", "  ")
+    report.lines.append("")
     for group, section in SECTIONS.items():
         chosen = [run for run in runs.values() if run["group"] == group]
         if chosen:
