@@ -2,12 +2,14 @@
 
 import re
 import subprocess
+import textwrap
 from dataclasses import dataclass, field
 
 COMMANDS = {
     "sward": ["bake", "info", "validate", "compare", "export", "terrain", "plan", "tile", "merge", "edit"],
     "sward-view": ["", "render", "bench", "devices"],
 }
+LONGEST_ROW = 200  # of a table; no line of a page is longer
 FACTS = r"required|default: |not with |environment: "
 
 
@@ -114,13 +116,22 @@ def cell(text):
     return text.replace("|", "\\|")
 
 
+def paragraph(text):
+    return "\n".join(textwrap.wrap(text, 150, break_long_words=False, break_on_hyphens=False))
+
+
 def table(options):
-    rows = ["| option | meaning | default |", "| --- | --- | --- |"]
+    """The options of a group; a meaning that would make a row too long is a paragraph below the rows."""
+    rows, long = ["| option | meaning | default |", "| --- | --- | --- |"], []
     for option in options:
         others = [fact for fact in option.facts if not fact.startswith("default: ")]
-        meaning = option.text + "".join(f"; {fact}" for fact in others)
-        rows.append(f"| `{cell(option.usage)}` | {cell(prose(meaning))} | {cell(option.default)} |")
-    return "\n".join(rows)
+        meaning = prose(option.text + "".join(f"; {fact}" for fact in others))
+        row = f"| `{cell(option.usage)}` | {cell(meaning)} | {cell(option.default)} |"
+        if len(row) > LONGEST_ROW:
+            long.append(paragraph(f"`{option.usage}`: {meaning}."))
+            row = f"| `{cell(option.usage)}` | see below the table | {cell(option.default)} |"
+        rows.append(row)
+    return "\n\n".join(["\n".join(rows), *long])
 
 
 def markdown(every):
@@ -145,7 +156,7 @@ def markdown(every):
             text += [f"**{title}**", rows] if title else [rows]
         for other, titles in same.items():
             text.append(f"As of `{other}`: {', '.join(titles)}.")
-        text += [prose(note) for note in page.notes]
+        text += [paragraph(prose(note)) for note in page.notes]
         if page.examples:
             text.append("```sh\n" + "\n".join(page.examples) + "\n```")
     return "\n\n".join(text) + "\n"
