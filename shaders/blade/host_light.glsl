@@ -1,5 +1,5 @@
-// The light of a host's own scene on a point of a blade: see shared/host_light.h. Part of blade_light.glsl. The including
-// stage defines HOST_LIGHT as the number of the set of the shadow map.
+// The light of a host's own scene on a point of a blade: see shared/host_light.h. Part of blade_light.glsl. HOST_LIGHT
+// is the number of the set of the shadow map.
 #ifndef SWARD_HOST_LIGHT_GLSL
 #define SWARD_HOST_LIGHT_GLSL
 

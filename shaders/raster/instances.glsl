@@ -10,7 +10,7 @@ layout(push_constant, scalar) uniform Block { HostViewPush host; };
 RasterPush push; // of the chosen instance
 
 // The frame of a view's only instance is read as constants, which is faster.
-#ifdef ONE_INSTANCE
+#ifndef HAS_INSTANCES
 #define FRAME_SET 0
 #include "shaders/frame_constants.glsl"
 #else

@@ -1,5 +1,94 @@
 #version 460
 #extension GL_GOOGLE_include_directive : require
-// Lights a visibility of one instance.
-#define ONE_INSTANCE
-#include "shaders/resolve/shade_visibility.glsl"
+// Lights the visibility of a host's view: a blade's light replaces its id.
+#include "shaders/resolve/sight_blade.glsl"
+#include "shaders/blade/cross_section_point.glsl"
+
+layout(local_size_x = rasterTile, local_size_y = rasterTile) in;
+
+/// The ribbon before its motion in this frame.
+Ribbon ribbonBefore(Motion motion, SeenBlade seen)
+{
+    Ribbon ribbon = seen.ribbon;
+    if (motion.moves == 0u)
+        return ribbon;
+    const uint patchIndex = seen.patchIndex == unknownPatch ? patchOf(seen.blade) : seen.patchIndex;
+    if (FRAME.patchTimes.at[patchIndex] != FRAME.tick)
+        return ribbon;
+    const Patch cell = FRAME.patches.at[patchIndex];
+    const uint place = placeOf(uvec2(FRAME.pages), seen.blade);
+    const Blade blade = raised(unpackBlade(FRAME.blades.at[place], cell),
+                               leafAreaLimitOf(push.cullView.at[0].view, cell).height);
+    const PosedBlade before =
+        posedLook(blade, BladeState(motion.statesBefore.at[place], 0.0)).posed;
+    ribbon.v0 = before.v0;
+    ribbon.v1 = before.v1;
+    ribbon.v2 = before.v2;
+    ribbon.axis = before.axis;
+    return ribbon;
+}
+
+/// A place of a ribbon as drawn: between the cross-sections at the ends of its segment.
+vec3 pointAt(Lens lens, Ribbon ribbon, vec2 place)
+{
+    const float segments = ribbon.outline.segments;
+    const float along = clamp(place.y, 0.0, 1.0) * segments;
+    const float first = min(floor(along), segments - 1.0);
+    const float across = clamp(0.5 * place.x + 0.5, 0.0, 1.0);
+    return mix(onCrossSection(crossSectionAt(ribbon, first / segments, lens.eye, lens.minWidth), across),
+               onCrossSection(crossSectionAt(ribbon, (first + 1.0) / segments, lens.eye, lens.minWidth), across), along - first);
+}
+
+vec2 motionOf(Motion motion, Lens lens, SeenBlade seen, Found found)
+{
+    const vec4 before = motion.clipBefore * vec4(pointAt(lens, ribbonBefore(motion, seen), found.place), 1.0);
+    const vec4 now = lens.viewProjection * vec4(pointAt(lens, seen.ribbon, found.place), 1.0);
+    return 0.5 * (before.xy / before.w - now.xy / now.w);
+}
+
+/// Lights one blade at a pixel. `samples`: bits of the samples that show it; `depth`: at sample `middle` of these.
+void lightBlade(uvec2 pixel, uint what, uint samples, uint middle, float depth)
+{
+    const SightedBlade blade = sightBlade(pixel, what, samples, middle, depth);
+    const uint light = packLight(shadeFound(blade.seen, blade.found).rgb);
+    uint moved = 0u;
+    if (uvec2(host.motions) != uvec2(0u))
+        moved = packHalf2x16(
+            motionOf(host.instances.at[blade.instance].motion.at[0], blade.lens, blade.seen, blade.found));
+    VisibilityHalves visibility = VisibilityHalves(uvec2(host.visibility));
+    UintArray motions = host.motions;
+    const uint first = sampleIndex(pixel, 0u);
+    for (uint s = 0u; s < samplesPerPixel; ++s)
+        if ((samples & (1u << s)) != 0u) {
+            visibility.at[2u * (first + s)] = light;
+            if (uvec2(host.motions) != uvec2(0u))
+                motions.at[first + s] = moved;
+        }
+}
+
+void main()
+{
+    const uvec2 pixel = gl_GlobalInvocationID.xy;
+    if (any(greaterThanEqual(pixel, host.size)))
+        return;
+    beginInstances();
+    VisibilityHalves visibility = VisibilityHalves(uvec2(host.visibility));
+    const uint first = sampleIndex(pixel, 0u);
+    uint seen[samplesPerPixel];
+    SHARED_UNROLL for (uint s = 0u; s < samplesPerPixel; ++s)
+        seen[s] = visibility.at[2u * (first + s)];
+    uint anySeen = 0u;
+    SHARED_UNROLL for (uint s = 0u; s < samplesPerPixel; ++s)
+        anySeen |= seen[s];
+    if (anySeen == 0u)
+        return;
+    noteTile(pixel);
+    // Light each blade once for all samples that show it, at the middle one: see gather.glsl.
+    for (uint s = 0u; s < samplesPerPixel; ++s) {
+        uint samples = 0u;
+        SHARED_UNROLL for (uint other = 0u; other < samplesPerPixel; ++other)
+            samples |= seen[other] == seen[s] ? 1u << other : 0u;
+        if (seen[s] != 0u && bitCount(samples & ((1u << s) - 1u)) == bitCount(samples) / 2)
+            lightBlade(pixel, seen[s], samples, s, uintBitsToFloat(visibility.at[2u * (first + s) + 1u]));
+    }
+}

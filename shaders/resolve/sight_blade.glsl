@@ -5,7 +5,7 @@
 #include "shaders/raster/instances.glsl"
 #include "shaders/raster/put_sample.glsl"
 #include "shaders/resolve/shade_found.glsl"
-#ifdef ONE_INSTANCE
+#ifndef HAS_INSTANCES
 #include "shaders/resolve/known_blade.glsl"
 #endif
 
@@ -22,18 +22,18 @@ SightedBlade sightBlade(uvec2 pixel, uint what, uint samples, uint middle, float
 {
     SightedBlade blade;
     blade.instance = instanceOf(what);
-#ifndef ONE_INSTANCE
+#ifdef HAS_INSTANCES
     chooseInstance(blade.instance);
 #endif
     blade.lens = lensOf();
-#ifdef ONE_INSTANCE
+#ifndef HAS_INSTANCES
     blade.seen = seenBlade(what - push.firstBlade);
 #else
     blade.seen = freshBlade(what - push.firstBlade);
 #endif
     blade.found = find(blade.lens, blade.seen.ribbon,
                        Sighting(vec2(pixel) + samplePlace(middle), depth, vec2(pixel) + middleOf(samples)));
-#ifdef ONE_INSTANCE
+#ifndef HAS_INSTANCES
     noteSeen(blade.seen, blade.found.place.y);
 #endif
     return blade;

@@ -17,6 +17,7 @@ ROOT = Path(__file__).resolve().parents[2]
 FOLDERS = {
     "core": "src/core",
     "shared": "shaders/shared",
+    "shaders": "shaders",
     "terrain": "terrain",
     "field": "src/field",
     "interchange": "src/interchange",
@@ -33,17 +34,18 @@ FOLDERS = {
 MAY_USE = {
     "core": "fmt spdlog nlohmann glm posix",
     "shared": "glm",
+    "shaders": "shared",
     "terrain": "core fmt glm nlohmann xxhash openmesh embree tinygltf tbb stb png openexr "
                "draco meshoptimizer intrinsics",
     "field": "core shared fmt glm nlohmann xxhash zstd stb",
     "interchange": "core shared field fmt glm nlohmann stb",
     "bake": "core shared terrain field fmt glm nlohmann tbb meshoptimizer",
     "gpu": "core fmt glm vulkan",
-    "render": "core shared field gpu fmt glm nlohmann vulkan",
+    "render": "core shared shaders field gpu fmt glm nlohmann vulkan",
     "c": "core shared field gpu render glm vulkan",
     "apps_common": "core fmt glm nlohmann cli11 posix",
     "sward": "core shared terrain field interchange bake apps_common fmt glm nlohmann cli11 posix",
-    "sward_view": "core shared field gpu render apps_common fmt glm nlohmann cli11 posix "
+    "sward_view": "core shared shaders field gpu render apps_common fmt glm nlohmann cli11 posix "
                   "vulkan glfw imgui stb",
 }
 

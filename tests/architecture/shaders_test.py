@@ -1,6 +1,6 @@
 """Rules of shaders. Compiled ones keep two rules of SPIR-V that spirv-val knows since 2025, and so does the validation
 layer: whatever spirv-val a machine has. scripts/validate-shaders asks the newest. Sources name specialisation constants
-by the ids of shaders/shared/constants.h.
+by the ids of shaders/shared/constants.h, and modules by the names of shaders/modules.def.
 
     shaders_test.py MODULES      compiled modules, separated by semicolons
 """
@@ -14,6 +14,11 @@ from pathlib import Path
 ROOT = Path(__file__).resolve().parents[2]
 MODULES = [Path(name) for name in sys.argv[1].split(";")]
 STAGES = (".comp", ".vert", ".tesc", ".tese", ".frag")
+
+# A module of the table; a definition that a source asks for; the name of a shader's file in C++.
+SHADER_MODULE = re.compile(r'^SHADER_MODULE\((\w+), "([^"]*)", "([^"]*)"\)$', re.MULTILINE)
+ASKED = re.compile(r"^#\s*(?:ifdef|ifndef)\s+([A-Z_]+)$|\bset = ([A-Z_]+)\b|\b(STORED_FORMAT)\b", re.MULTILINE)
+SHADER_FILE = re.compile(r'"[^"\n]*\.(?:comp|vert|tesc|tese|frag)"')
 
 # A declared id; its use by a constant of GLSL, which may be the size of a work-group; a literal in C++.
 DECLARED_ID = re.compile(r"\bSHARED_CONST uint (id[A-Z]\w*) = (\d+)u;")
@@ -131,6 +136,27 @@ def wrong_ids(declarations, glsl, cpp):
     return found
 
 
+def wrong_modules(table, glsl, cpp):
+    """What is wrong with the table of modules: its text, and sources by path, those of GLSL below shaders/."""
+    modules = SHADER_MODULE.findall(table)
+    found = [f"{line}: not a name, a source and definitions" for line in table.splitlines()
+             if line and not line.startswith("//") and not SHADER_MODULE.match(line)]
+    names = [name for name, _, _ in modules]
+    found += [f"{name}: used twice" for name in sorted(set(names)) if names.count(name) > 1]
+    kinds = [(source, tuple(sorted(definitions.split()))) for _, source, definitions in modules]
+    found += [f"{source}: compiled twice in one way" for source, _ in sorted({k for k in kinds if kinds.count(k) > 1})]
+    found += [f"{path}: no module has this source" for path in glsl
+              if path.endswith(STAGES) and path not in {source for source, _ in kinds}]
+    asked = {name for text in glsl.values() for pair in ASKED.findall(text) for name in pair}
+    found += [f"{name}: no source asks for {key}" for name, _, definitions in modules
+              for key in (one.split("=")[0] for one in definitions.split()) if key not in asked]
+    used = {name for text in cpp.values() for name in re.findall(r"\bshader::(\w+)", text)}
+    found += [f"{name}: no pipeline uses it" for name in sorted(set(names) - used)]
+    found += [f"{path}: {literal} is the name of a shader's file" for path, text in cpp.items()
+              for literal in SHADER_FILE.findall(text)]
+    return found
+
+
 def assembled(*instructions):
     words = [0x07230203, 0x00010600, 0, 100, 0]
     for code, *operands in instructions:
@@ -191,6 +217,34 @@ class SpecialisationConstants(unittest.TestCase):
         for declarations, shader, pipeline, reason in planted:
             with self.subTest(reason=reason):
                 self.assertEqual(wrong_ids(declarations, {"a": shader}, {"b": pipeline}), [reason])
+
+
+class Modules(unittest.TestCase):
+    def test_the_table_has_all_modules_and_each_is_used(self):
+        table = (ROOT / "shaders/modules.def").read_text(encoding="utf-8")
+        glsl = {path.removeprefix("shaders/"): text
+                for path, text in texts("shaders", suffixes=(".glsl",) + STAGES).items()}
+        self.assertEqual(wrong_modules(table, glsl, texts("src/render", "src/apps", suffixes=(".cpp", ".h"))), [])
+        built = {path.stem for path in MODULES}
+        self.assertLessEqual({name for name, _, _ in SHADER_MODULE.findall(table)}, built)
+
+    def test_the_check_sees_each_wrong_module(self):
+        table = 'SHADER_MODULE(one, "a/one.comp", "")\nSHADER_MODULE(two, "a/one.comp", "SIZE=2")\n'
+        glsl = {"a/one.comp": "#ifdef SIZE\n"}
+        cpp = "shader::one, render::shader::two"
+        self.assertEqual(wrong_modules(table, glsl, {"b": cpp}), [])
+        planted = [
+            (table + "SHADER_MODULE(one)", {}, cpp, "SHADER_MODULE(one): not a name, a source and definitions"),
+            (table.replace("(two", "(one"), {}, cpp, "one: used twice"),
+            (table.replace("SIZE=2", ""), {}, cpp, "a/one.comp: compiled twice in one way"),
+            (table, {"a/more.frag": ""}, cpp, "a/more.frag: no module has this source"),
+            (table.replace("SIZE=2", "SIZE=2 SIZES"), {}, cpp, "two: no source asks for SIZES"),
+            (table, {}, "shader::one", "two: no pipeline uses it"),
+            (table, {}, cpp + '"one.comp"', 'b: "one.comp" is the name of a shader\'s file'),
+        ]
+        for modules, more, pipeline, reason in planted:
+            with self.subTest(reason=reason):
+                self.assertEqual(wrong_modules(modules, {**glsl, **more}, {"b": pipeline}), [reason])
 
 
 if __name__ == "__main__":

@@ -9,9 +9,9 @@
 #include <unistd.h>
 
 #include <algorithm>
-#include <array>
 #include <cstring>
 #include <fstream>
+#include <iterator>
 #include <sstream>
 #include <utility>
 
@@ -22,16 +22,21 @@ namespace fs = std::filesystem;
 
 constexpr std::size_t linesTold = 8; ///< of an error; later lines are consequential errors
 
-bool isStage(const std::string& path)
-{
-    constexpr std::array<std::string_view, 5> endings{".vert", ".tesc", ".tese", ".frag", ".comp"};
-    return std::any_of(endings.begin(), endings.end(),
-                       [&path](std::string_view ending) { return path.ends_with(ending); });
-}
+struct Module {
+    const char* name;
+    const char* source; ///< below the folder of shaders
+    const char* definitions;
+};
 
-std::string moduleOf(const std::string& stage)
+constexpr Module table[] = {
+#define SHADER_MODULE(name, source, definitions) {#name, source, definitions},
+#include "shaders/modules.def"
+#undef SHADER_MODULE
+};
+
+std::string fileOf(std::size_t module)
 {
-    return fs::path(stage).filename().string() + ".spv";
+    return std::string(table[module].name) + ".spv";
 }
 
 std::vector<std::string> words(const std::string& text)
@@ -129,6 +134,11 @@ ShaderSources::Look ShaderSources::look() const
     return look;
 }
 
+std::string ShaderSources::sourceOf(std::size_t module) const
+{
+    return (folder_ / table[module].source).string();
+}
+
 bool ShaderSources::poll()
 {
     if (thread_.joinable())
@@ -149,40 +159,40 @@ bool ShaderSources::poll()
         if (!last_.contains(path))
             changed.insert(path);
     known_ = last_;
-    // A stage that was never compiled has unknown includes: compile it.
-    std::vector<std::string> stages;
-    for (const auto& [path, time] : known_) {
-        if (!isStage(path))
+    // A module that was never compiled has unknown includes: compile it.
+    std::vector<std::size_t> touched;
+    for (std::size_t module = 0; module < std::size(table); ++module) {
+        if (!known_.contains(sourceOf(module)))
             continue;
-        const auto reads = reads_.find(path);
+        const auto reads = reads_.find(module);
         const bool isTouched =
             reads == reads_.end() || std::any_of(changed.begin(), changed.end(), [&](auto& file) {
                 return reads->second.contains(file);
             });
-        if (isTouched || broken_.contains(path))
-            stages.push_back(path);
+        if (isTouched || broken_.contains(module))
+            touched.push_back(module);
     }
-    if (stages.empty())
+    if (touched.empty())
         return false;
-    // Compile the stages just edited first, so that their errors come first.
-    std::stable_partition(stages.begin(), stages.end(),
-                          [&](const std::string& stage) { return changed.contains(stage); });
-    begin(std::move(stages));
+    // Compile the sources just edited first, so that their errors come first.
+    std::stable_partition(touched.begin(), touched.end(),
+                          [&](std::size_t module) { return changed.contains(sourceOf(module)); });
+    begin(std::move(touched));
     return false;
 }
 
-void ShaderSources::begin(std::vector<std::string> stages)
+void ShaderSources::begin(std::vector<std::size_t> touched)
 {
-    log::info("compiling {} shaders", stages.size());
+    log::info("compiling {} shaders", touched.size());
     done_ = false;
     results_.clear();
-    thread_ = std::thread([this, stages = std::move(stages)] {
-        for (const std::string& stage : stages) {
+    thread_ = std::thread([this, touched = std::move(touched)] {
+        for (const std::size_t module : touched) {
             Result result;
             try {
-                result = compile(stage);
+                result = compile(module);
             } catch (const std::exception& error) {
-                result = {stage, {}, {}, error.what()};
+                result = {module, {}, {}, error.what()};
             }
             const std::lock_guard lock(mutex_);
             results_.push_back(std::move(result));
@@ -194,31 +204,34 @@ void ShaderSources::begin(std::vector<std::string> stages)
     });
 }
 
-ShaderSources::Result ShaderSources::compile(const std::string& stage) const
+ShaderSources::Result ShaderSources::compile(std::size_t module) const
 {
-    const fs::path module = scratch_ / moduleOf(stage);
-    const fs::path depfile = module.string() + ".d";
+    const std::string source = sourceOf(module);
+    const fs::path output = scratch_ / fileOf(module);
+    const fs::path depfile = output.string() + ".d";
     std::vector<std::string> glslang{programOf("glslangValidator")};
     for (std::string& flag : words(SWARD_GLSLANG_FLAGS))
         glslang.push_back(std::move(flag));
+    for (const std::string& definition : words(table[module].definitions))
+        glslang.push_back("-D" + definition);
     for (std::string& argument :
          std::vector<std::string>{"-I" + folder_.parent_path().string(), "--depfile",
-                                  depfile.string(), "-o", module.string(), stage})
+                                  depfile.string(), "-o", output.string(), source})
         glslang.push_back(std::move(argument));
     ChildEnd end = runChild(std::move(glslang));
     if (endedWell(end)) {
         std::vector<std::string> validator{programOf("spirv-val")};
         for (std::string& flag : words(SWARD_SPIRV_VAL_FLAGS))
             validator.push_back(std::move(flag));
-        validator.push_back(module.string());
+        validator.push_back(output.string());
         end = runChild(std::move(validator));
     }
     if (!endedWell(end)) {
         const std::string complaint = told(end.said);
-        return {stage, {}, {}, complaint.empty() ? stage + ": does not compile" : complaint};
+        return {module, {}, {}, complaint.empty() ? source + ": does not compile" : complaint};
     }
-    const std::vector<std::byte> bytes = readFile(module);
-    Result result{stage,
+    const std::vector<std::byte> bytes = readFile(output);
+    Result result{module,
                   std::vector<std::uint32_t>(bytes.size() / sizeof(std::uint32_t)),
                   readDepfile(depfile),
                   {}};
@@ -226,7 +239,7 @@ ShaderSources::Result ShaderSources::compile(const std::string& stage) const
     return result;
 }
 
-// Collects the compiled stages.
+// Collects the compiled modules.
 bool ShaderSources::end()
 {
     {
@@ -238,33 +251,34 @@ bool ShaderSources::end()
     std::string complaint;
     for (Result& result : results_) {
         if (!result.complaint.empty()) {
-            broken_.insert(result.stage);
+            broken_.insert(result.module);
             if (complaint.empty())
                 complaint = std::move(result.complaint);
             continue;
         }
-        broken_.erase(result.stage);
-        reads_[result.stage] = std::move(result.reads);
-        compiled_[moduleOf(result.stage)] = std::move(result.words);
+        broken_.erase(result.module);
+        reads_[result.module] = std::move(result.reads);
+        compiled_[fileOf(result.module)] = std::move(result.words);
     }
-    // Drop errors of deleted stages.
-    std::erase_if(broken_, [this](const std::string& stage) { return !known_.contains(stage); });
+    // Drop errors of deleted sources.
+    std::erase_if(broken_,
+                  [this](std::size_t module) { return !known_.contains(sourceOf(module)); });
     complaint_ = std::move(complaint);
     if (!complaint_.empty())
         log::error("{}", complaint_);
     if (!complaint_.empty() || !broken_.empty())
         return false;
 
-    auto modules = std::make_shared<ShaderModules>();
-    modules->compiled = compiled_;
+    auto made = std::make_shared<ShaderModules>();
+    made->compiled = compiled_;
     for (EmbeddedFile file : builtIn_) {
-        const auto anew = modules->compiled.find(std::string(file.name));
-        if (anew != modules->compiled.end())
+        const auto anew = made->compiled.find(std::string(file.name));
+        if (anew != made->compiled.end())
             file.bytes = {reinterpret_cast<const unsigned char*>(anew->second.data()),
                           anew->second.size() * sizeof(std::uint32_t)};
-        modules->files.push_back(file);
+        made->files.push_back(file);
     }
-    modules_ = std::move(modules);
+    modules_ = std::move(made);
     return true;
 }
 

@@ -2,6 +2,7 @@
 
 #include "core/embedded.h"
 
+#include <cstddef>
 #include <cstdint>
 #include <filesystem>
 #include <map>
@@ -21,7 +22,8 @@ struct ShaderModules {
     std::vector<EmbeddedFile> files; ///< built-in modules, or their replacements
 };
 
-/// A folder of shader sources. Recompiles changed files as the build does, in a separate thread.
+/// A folder of shader sources. Recompiles the modules of shaders/modules.def whose sources have
+/// changed, as the build does, in a separate thread.
 /// Finds glslangValidator and spirv-val in $PATH.
 class ShaderSources {
 public:
@@ -45,27 +47,28 @@ public:
 
 private:
     using Look = std::map<std::string, std::filesystem::file_time_type>; ///< by the file's path
-    /// Result of compiling a stage.
+    /// Result of compiling a module. A module is its index in shaders/modules.def.
     struct Result {
-        std::string stage; ///< its path
+        std::size_t module = 0;
         std::vector<std::uint32_t> words;
-        std::set<std::string> reads; ///< the stage and its includes
+        std::set<std::string> reads; ///< its source and includes
         std::string complaint;
     };
 
     Look look() const;
-    void begin(std::vector<std::string> stages);
+    std::string sourceOf(std::size_t module) const; ///< its path
+    void begin(std::vector<std::size_t> touched);
     bool end();
-    Result compile(const std::string& stage) const;
+    Result compile(std::size_t module) const;
 
     std::filesystem::path folder_;
     std::filesystem::path scratch_; ///< output folder of the compiler
     std::span<const EmbeddedFile> builtIn_;
     Look known_;                                                 ///< stage at the last compilation
     Look last_;                                                  ///< stage at the last poll
-    std::map<std::string, std::set<std::string>> reads_;         ///< by stage, once compiled
-    std::set<std::string> broken_;                               ///< stages that do not compile
-    std::map<std::string, std::vector<std::uint32_t>> compiled_; ///< by module
+    std::map<std::size_t, std::set<std::string>> reads_;         ///< by module, once compiled
+    std::set<std::size_t> broken_;                               ///< modules that do not compile
+    std::map<std::string, std::vector<std::uint32_t>> compiled_; ///< by file name
     std::shared_ptr<const ShaderModules> modules_;
     std::string complaint_;
 

@@ -24,7 +24,7 @@ enum class Blend {
 struct GraphicsPipelineSettings {
     std::string name{}; ///< for debuggers
 
-    std::string vertexShader{};                 ///< name of its source
+    std::string vertexShader{};                 ///< name in the ShaderLibrary
     std::string tessellationControlShader{};    ///< empty: none
     std::string tessellationEvaluationShader{}; ///< empty: none
     std::string fragmentShader{};               ///< empty: only depth

@@ -16,7 +16,7 @@ using ShaderModule = Owned<VkShaderModule, &DeviceFunctions::DestroyShaderModule
 
 class ObjectKey;
 
-/// SPIR-V modules by the name of their source: "ground.vert" refers to "ground.vert.spv".
+/// SPIR-V modules by name: "groundVertex" refers to the file "groundVertex.spv".
 class ShaderLibrary {
 public:
     /// `files` must outlive the library.

@@ -2,6 +2,7 @@
 
 #include "core/expect.h"
 #include "gpu/recording/barrier.h"
+#include "render/shader_names.h"
 #include "shaders/shared/constants.h"
 #include "shaders/shared/passes.h"
 
@@ -43,17 +44,16 @@ PyramidPass::PyramidPass(const gpu::DeviceContext& context, const gpu::ShaderLib
     , sampler_(gpu::createSampler(context, {.name = "pyramid",
                                             .filter = VK_FILTER_NEAREST,
                                             .address = VK_SAMPLER_ADDRESS_MODE_CLAMP_TO_EDGE}))
-    , first_(
-          context, shaders,
-          {.name = "pyramid/first",
-           .shader = settings.samples > 1 ? "pyramid_first_of_several.comp" : "pyramid_first.comp",
-           .pushConstantBytes = sizeof(shared::PyramidPush),
-           .setLayouts = {imageLayout_.get()},
-           .constants = {{.id = shared::idHasForwardZ, .value = settings.hasReversedZ ? 0u : 1u},
-                         {.id = shared::idSamplesPerPixel, .value = settings.samples}}})
+    , first_(context, shaders,
+             {.name = "pyramid/first",
+              .shader = settings.samples > 1 ? shader::pyramidFirstOfSeveral : shader::pyramidFirst,
+              .pushConstantBytes = sizeof(shared::PyramidPush),
+              .setLayouts = {imageLayout_.get()},
+              .constants = {{.id = shared::idHasForwardZ, .value = settings.hasReversedZ ? 0u : 1u},
+                            {.id = shared::idSamplesPerPixel, .value = settings.samples}}})
     , rest_(context, shaders,
             {.name = "pyramid/rest",
-             .shader = "pyramid_rest.comp",
+             .shader = shader::pyramidRest,
              .pushConstantBytes = sizeof(shared::ViewPush)})
 {
 }

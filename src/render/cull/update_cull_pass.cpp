@@ -2,6 +2,7 @@
 
 #include "core/expect.h"
 #include "gpu/recording/barrier.h"
+#include "render/shader_names.h"
 #include "shaders/shared/constants.h"
 #include "shaders/shared/passes.h"
 
@@ -78,7 +79,7 @@ void UpdateCullPass::prepareOne(const gpu::ShaderLibrary& shaders, Pipeline want
         wanted, gpu::ComputePipeline(
                     *context_, shaders,
                     {.name = "update and cull",
-                     .shader = "update_cull.comp",
+                     .shader = shader::updateCull,
                      .pushConstantBytes = sizeof(shared::UpdatePush),
                      .setLayouts = {frameLayout_.get()},
                      .constants = {

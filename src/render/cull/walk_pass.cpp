@@ -2,6 +2,7 @@
 
 #include "gpu/recording/barrier.h"
 #include "render/cull/update_cull_pass.h"
+#include "render/shader_names.h"
 #include "shaders/shared/constants.h"
 #include "shaders/shared/passes.h"
 
@@ -11,7 +12,7 @@ WalkPass::WalkPass(const gpu::DeviceContext& context, const gpu::ShaderLibrary& 
     : context_(&context)
     , walk_(context, shaders,
             {.name = "walk the patch tree",
-             .shader = "walk_tree.comp",
+             .shader = shader::walkTree,
              .pushConstantBytes = sizeof(shared::WalkPush),
              .constants = {{.id = shared::idPatchesOfGroup,
                             .value = UpdateCullPass::patchesOfGroup(context)}}})

@@ -2,6 +2,7 @@
 
 #include "field/distributions.h"
 #include "gpu/recording/barrier.h"
+#include "render/shader_names.h"
 #include "shaders/shared/edits.h"
 #include "shaders/shared/pose.h"
 
@@ -33,7 +34,7 @@ FieldEdits::FieldEdits(const gpu::DeviceContext& context, const gpu::ShaderLibra
     : context_(&context)
     , states_(context, shaders,
               {.name = "move states",
-               .shader = "move_states.comp",
+               .shader = shader::moveStates,
                .pushConstantBytes = sizeof(shared::EditPush)})
     , edited_(std::move(edited))
     , cover_(&cover)

@@ -1,5 +1,6 @@
 #include "render/preview/collider_pass.h"
 
+#include "render/shader_names.h"
 #include "shaders/shared/passes.h"
 
 namespace sward::render {
@@ -8,8 +9,8 @@ ColliderPass::ColliderPass(const gpu::DeviceContext& context, const gpu::ShaderL
 {
     gpu::GraphicsPipelineSettings settings;
     settings.name = "colliders";
-    settings.vertexShader = "collider.vert";
-    settings.fragmentShader = "collider.frag";
+    settings.vertexShader = shader::colliderVertex;
+    settings.fragmentShader = shader::colliderFragment;
     settings.pushConstantBytes = sizeof(shared::ViewPush);
     settings.colorFormats = {target.colorFormat};
     settings.depthFormat = depthFormat;

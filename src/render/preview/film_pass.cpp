@@ -2,6 +2,7 @@
 
 #include "gpu/memory/image_use.h"
 #include "gpu/recording/rendering.h"
+#include "render/shader_names.h"
 
 #include <optional>
 #include <span>
@@ -21,8 +22,8 @@ FilmPass::FilmPass(const gpu::DeviceContext& context, const gpu::ShaderLibrary& 
 {
     gpu::GraphicsPipelineSettings settings;
     settings.name = "film";
-    settings.vertexShader = "film.vert";
-    settings.fragmentShader = "film.frag";
+    settings.vertexShader = shader::filmVertex;
+    settings.fragmentShader = shader::filmFragment;
     settings.setLayouts = {imageLayout_.get()};
     settings.colorFormats = {target.colorFormat};
     pipeline_ = gpu::GraphicsPipeline(context, shaders, settings);

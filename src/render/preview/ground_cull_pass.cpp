@@ -1,6 +1,7 @@
 #include "render/preview/ground_cull_pass.h"
 
 #include "gpu/recording/barrier.h"
+#include "render/shader_names.h"
 #include "shaders/shared/passes.h"
 
 #include <algorithm>
@@ -39,8 +40,8 @@ GroundCullPass::GroundCullPass(const gpu::DeviceContext& context, const gpu::Sha
         largest = std::max(largest, part.isDrawnWhole ? 0 : part.clusterCount);
     if (largest == 0)
         return;
-    find_ = pipeline("ground/seen", "ground_seen.comp");
-    write_ = pipeline("ground/draws", "ground_draws.comp");
+    find_ = pipeline("ground/seen", shader::groundSeen);
+    write_ = pipeline("ground/draws", shader::groundDraws);
     draws_ = buffer("ground/draws", ground.clusterCount() * sizeof(shared::IndexedDraw));
     seen_ = buffer("ground/seen", groupsOf(largest) * shared::groundWords * sizeof(std::uint32_t));
     counts_ = buffer("ground/draw counts", ground.parts().size() * countStride);

@@ -1,5 +1,6 @@
 #include "render/preview/ground_pass.h"
 
+#include "render/shader_names.h"
 #include "shaders/shared/constants.h"
 #include "shaders/shared/passes.h"
 
@@ -13,8 +14,8 @@ gpu::GraphicsPipeline createPipeline(const gpu::DeviceContext& context,
 {
     gpu::GraphicsPipelineSettings settings;
     settings.name = cullMode == VK_CULL_MODE_NONE ? "ground/two-sided" : "ground/one-sided";
-    settings.vertexShader = "ground.vert";
-    settings.fragmentShader = "ground.frag";
+    settings.vertexShader = shader::groundVertex;
+    settings.fragmentShader = shader::groundFragment;
     settings.pushConstantBytes = sizeof(shared::GroundPush);
     settings.setLayouts = {imageLayout};
     settings.colorFormats = {target.colorFormat};

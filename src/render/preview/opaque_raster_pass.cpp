@@ -3,6 +3,7 @@
 #include "core/expect.h"
 #include "gpu/memory/image_use.h"
 #include "gpu/recording/barrier.h"
+#include "render/shader_names.h"
 #include "shaders/shared/constants.h"
 
 #include <algorithm>
@@ -50,9 +51,9 @@ OpaqueRasterPass::OpaqueRasterPass(const gpu::DeviceContext& context,
                                 .bytes = shared::maxLargeTriangles * sizeof(shared::LargeTriangle),
                                 .usage = VK_BUFFER_USAGE_STORAGE_BUFFER_BIT})
 {
-    triangles_ = pipeline(shaders, "opaque/triangles", "raster_opaque.comp");
-    middle_ = pipeline(shaders, "opaque/middle triangles", "raster_middle_opaque.comp");
-    large_ = pipeline(shaders, "opaque/large triangles", "raster_large_opaque.comp");
+    triangles_ = pipeline(shaders, "opaque/triangles", shader::rasterOpaque);
+    middle_ = pipeline(shaders, "opaque/middle triangles", shader::rasterMiddleOpaque);
+    large_ = pipeline(shaders, "opaque/large triangles", shader::rasterLargeOpaque);
 }
 
 gpu::ComputePipeline
@@ -75,10 +76,10 @@ void OpaqueRasterPass::prepare(const gpu::ShaderLibrary& shaders, std::uint32_t 
     colliderTriangles_ = colliders * shared::colliderTriangles;
     debugMode_ = debugMode;
     if (colliders > 0 && colliders_.get() == VK_NULL_HANDLE)
-        colliders_ = pipeline(shaders, "opaque/colliders", "raster_opaque.comp",
+        colliders_ = pipeline(shaders, "opaque/colliders", shader::rasterOpaque,
                               {{.id = shared::idIsOfColliders, .value = 1u}});
     if (!light_.contains(debugMode))
-        light_.emplace(debugMode, pipeline(shaders, "opaque/light", "light_opaque.comp",
+        light_.emplace(debugMode, pipeline(shaders, "opaque/light", shader::lightOpaque,
                                            {{.id = shared::idKnownDebugMode, .value = debugMode},
                                             {.id = shared::idTileList,
                                              .value = target_.sortsTiles ? shared::tilesOfOpaque

@@ -1,5 +1,6 @@
 #include "render/preview/sky_pass.h"
 
+#include "render/shader_names.h"
 #include "shaders/shared/passes.h"
 
 namespace sward::render {
@@ -9,8 +10,8 @@ SkyPass::SkyPass(const gpu::DeviceContext& context, const gpu::ShaderLibrary& sh
 {
     gpu::GraphicsPipelineSettings settings;
     settings.name = "sky";
-    settings.vertexShader = "sky.vert";
-    settings.fragmentShader = "sky.frag";
+    settings.vertexShader = shader::skyVertex;
+    settings.fragmentShader = shader::skyFragment;
     settings.pushConstantBytes = sizeof(shared::ViewPush);
     settings.colorFormats = {target.colorFormat};
     settings.depthFormat = depthFormat;

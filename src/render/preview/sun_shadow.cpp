@@ -4,6 +4,7 @@
 #include "gpu/memory/image_use.h"
 #include "gpu/recording/barrier.h"
 #include "gpu/recording/rendering.h"
+#include "render/shader_names.h"
 #include "render/target_settings.h"
 #include "shaders/shared/octahedral.h"
 #include "shaders/shared/passes.h"
@@ -103,7 +104,7 @@ SunShadowPass::SunShadowPass(const gpu::DeviceContext& context, const gpu::Shade
                   .usage = VK_BUFFER_USAGE_STORAGE_BUFFER_BIT | VK_BUFFER_USAGE_TRANSFER_DST_BIT});
     gpu::GraphicsPipelineSettings settings;
     settings.name = "sun shadow";
-    settings.vertexShader = "sun_depth.vert";
+    settings.vertexShader = shader::sunDepthVertex;
     settings.pushConstantBytes = sizeof(shared::GroundPush);
     settings.depthFormat = depthFormat;
     pipeline_ = gpu::GraphicsPipeline(context, shaders, settings);
@@ -138,7 +139,7 @@ void SunShadowPass::prepare(const gpu::ShaderLibrary& shaders)
                                                      VK_IMAGE_USAGE_TRANSFER_DST_BIT});
     gpu::GraphicsPipelineSettings settings;
     settings.name = "sun shadow/colliders";
-    settings.vertexShader = "collider_sun.vert";
+    settings.vertexShader = shader::colliderSunVertex;
     settings.pushConstantBytes = sizeof(shared::ViewPush);
     settings.depthFormat = depthFormat;
     colliders_ = gpu::GraphicsPipeline(*context_, shaders, settings);

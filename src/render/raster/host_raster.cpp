@@ -4,6 +4,7 @@
 #include "render/field/placed_field.h"
 #include "render/raster/raster_rounds.h"
 #include "render/target_settings.h"
+#include "render/shader_names.h"
 #include "shaders/shared/constants.h"
 
 #include <algorithm>
@@ -120,7 +121,7 @@ gpu::ComputePipeline HostRaster::seedFor(const gpu::ShaderLibrary& shaders, std:
     return {*context_,
             shaders,
             {.name = "host raster/seed",
-             .shader = samples > 1 ? "seed_visibility_of_several.comp" : "seed_visibility.comp",
+             .shader = samples > 1 ? shader::seedVisibilityOfSeveral : shader::seedVisibility,
              .pushConstantBytes = sizeof(shared::HostViewPush),
              .setLayouts = {imageLayout_.get()},
              .constants = {{.id = shared::idSamplesPerPixel, .value = samples},

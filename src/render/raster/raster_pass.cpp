@@ -2,6 +2,7 @@
 
 #include "core/expect.h"
 #include "gpu/recording/barrier.h"
+#include "render/shader_names.h"
 #include "shaders/shared/constants.h"
 
 #include <vector>
@@ -14,7 +15,7 @@ constexpr std::uint32_t frameSet = 0;
 
 struct StageShader {
     const char* name;
-    const char* shader;
+    const char* module;
     bool isOfInstances = false;
 };
 
@@ -23,23 +24,23 @@ StageShader shaderOf(RasterPass::Stage stage)
     using Stage = RasterPass::Stage;
     switch (stage) {
     case Stage::blades:
-        return {"raster/blades", "raster_blades.comp"};
+        return {"raster/blades", shader::rasterBlades};
     case Stage::lateBlades:
-        return {"raster/late blades", "list_late.comp"};
+        return {"raster/late blades", shader::listLate};
     case Stage::large:
-        return {"raster/large blades", "raster_large.comp"};
+        return {"raster/large blades", shader::rasterLarge};
     case Stage::lateLarge:
-        return {"raster/late large blades", "raster_late.comp"};
+        return {"raster/late large blades", shader::rasterLate};
     case Stage::cut:
-        return {"raster/cut blades", "raster_cut.comp"};
+        return {"raster/cut blades", shader::rasterCut};
     case Stage::depths:
-        return {"raster/depths", "seen_depths.comp"};
+        return {"raster/depths", shader::seenDepths};
     case Stage::allDepths:
-        return {"raster/all depths", "seen_depths.comp"};
+        return {"raster/all depths", shader::seenDepths};
     case Stage::largeOfInstances:
-        return {"raster/large blades of instances", "raster_large_of_instances.comp", true};
+        return {"raster/large blades of instances", shader::rasterLargeOfInstances, true};
     case Stage::cutOfInstances:
-        return {"raster/cut blades of instances", "raster_cut_of_instances.comp", true};
+        return {"raster/cut blades of instances", shader::rasterCutOfInstances, true};
     }
     expect(false, "every stage has a shader");
     return {};
@@ -69,19 +70,19 @@ void RasterPass::make(const gpu::ShaderLibrary& shaders, Stage stage, const Vari
     const std::pair key{stage, variant};
     if (pipelines_.contains(key))
         return;
-    const StageShader shader = shaderOf(stage);
+    const StageShader stageShader = shaderOf(stage);
     const std::uint32_t largeTo =
         variant.groupsDrawLarge ? shared::largeToGroups : shared::largeToNone;
     const std::uint32_t pushBytes =
-        shader.isOfInstances ? sizeof(shared::HostViewPush) : sizeof(shared::RasterPush);
+        stageShader.isOfInstances ? sizeof(shared::HostViewPush) : sizeof(shared::RasterPush);
     std::vector<VkDescriptorSetLayout> sets;
-    if (!shader.isOfInstances)
+    if (!stageShader.isOfInstances)
         sets.push_back(frameLayout_.get());
     pipelines_.emplace(
         key, gpu::ComputePipeline(
                  *context_, shaders,
-                 {.name = shader.name,
-                  .shader = shader.shader,
+                 {.name = stageShader.name,
+                  .shader = stageShader.module,
                   .pushConstantBytes = pushBytes,
                   .setLayouts = std::move(sets),
                   .constants = {

@@ -1,6 +1,7 @@
 #include "render/resolve/host_lighting.h"
 
 #include "render/host_shadow_maps.h"
+#include "render/shader_names.h"
 #include "shaders/shared/constants.h"
 
 #include <string>
@@ -15,6 +16,27 @@ std::uint32_t flagsOf(const HostView& view)
            (stored.isSrgb ? shared::storesSrgb : 0u) | (stored.isBgr ? shared::storesBgr : 0u) |
            (stored.depth != VK_NULL_HANDLE ? shared::storesDepth : 0u) |
            (view.hasReversedZ ? 0u : shared::storesForwardZ);
+}
+
+/// What lights in place of ids: [several instances][a host's light].
+constexpr const char* shadeModules[2][2] = {
+    {shader::shadeVisibility, shader::shadeVisibilityHostLight},
+    {shader::shadeVisibilityOfInstances, shader::shadeVisibilityOfInstancesHostLight}};
+
+/// What stores: [several instances][a host's light][halves].
+constexpr const char* storeModules[2][2][2] = {
+    {{shader::storeVisibilityBytes, shader::storeVisibilityHalves},
+     {shader::storeVisibilityHostLightBytes, shader::storeVisibilityHostLightHalves}},
+    {{shader::storeVisibilityOfInstancesBytes, shader::storeVisibilityOfInstancesHalves},
+     {shader::storeVisibilityOfInstancesHostLightBytes,
+      shader::storeVisibilityOfInstancesHostLightHalves}}};
+
+const char* shaderFor(const HostLighting::Settings& settings)
+{
+    const std::size_t several = settings.isOfOne ? 0 : 1;
+    const std::size_t light = settings.hasHostLight ? 1 : 0;
+    return settings.storedAs != 0 ? storeModules[several][light][settings.storesHalves ? 1 : 0]
+                                  : shadeModules[several][light];
 }
 
 } // namespace
@@ -36,10 +58,6 @@ gpu::ComputePipeline HostLighting::pipelineFor(const gpu::ShaderLibrary& shaders
                                                const Settings& settings) const
 {
     const bool stores = settings.storedAs != 0;
-    std::string shader = stores ? "store_visibility" : "shade_visibility";
-    shader += settings.isOfOne ? "" : "_of_instances";
-    shader += settings.hasHostLight ? "_host_light" : "";
-    shader += !stores ? ".comp" : settings.storesHalves ? "_halves.comp" : "_bytes.comp";
     std::vector<VkDescriptorSetLayout> sets;
     if (settings.isOfOne)
         sets.push_back(frameLayout_.get());
@@ -52,7 +70,7 @@ gpu::ComputePipeline HostLighting::pipelineFor(const gpu::ShaderLibrary& shaders
     return {*context_,
             shaders,
             {.name = name,
-             .shader = shader,
+             .shader = shaderFor(settings),
              .pushConstantBytes = sizeof(shared::HostViewPush),
              .setLayouts = sets,
              .constants = {{.id = shared::idKnownDebugMode, .value = settings.debugMode},

@@ -3,6 +3,7 @@
 #include "core/expect.h"
 #include "gpu/memory/image_use.h"
 #include "gpu/recording/barrier.h"
+#include "render/shader_names.h"
 #include "shaders/shared/constants.h"
 
 #include <array>
@@ -49,7 +50,7 @@ ResolvePass::ResolvePass(const gpu::DeviceContext& context, const gpu::ShaderLib
     , images_(slots)
 {
     if (target.samples > 1)
-        reconstruct_ = pipeline(shaders, "raster/reconstruct", "reconstruct.comp",
+        reconstruct_ = pipeline(shaders, "raster/reconstruct", shader::reconstruct,
                                 {{.id = shared::idTileList, .value = shared::tilesOfSoft}});
     if (target.sortsTiles || target.samples > 1)
         tiles_.emplace(context, shaders, target.samples, target.sortsTiles);
@@ -82,7 +83,7 @@ void ResolvePass::prepare(const gpu::ShaderLibrary& shaders, Shading shading)
             {shown.list,
              pipeline(
                  shaders, "raster/resolve",
-                 target_.samples > 1 ? "resolve_of_four.comp" : "resolve.comp",
+                 target_.samples > 1 ? shader::resolveOfFour : shader::resolve,
                  {{.id = shared::idKnownDebugMode, .value = shading.debugMode},
                   {.id = shared::idLimitsLeafArea, .value = shading.limitsLeafArea ? 1u : 0u},
                   {.id = shared::idTileList, .value = shown.list},

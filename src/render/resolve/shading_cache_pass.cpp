@@ -1,5 +1,8 @@
 #include "render/resolve/shading_cache_pass.h"
 
+#include "render/shader_names.h"
+#include "shaders/shared/constants.h"
+
 #include <cstdint>
 
 namespace sward::render {
@@ -38,7 +41,7 @@ const gpu::ComputePipeline& ShadingCachePass::prepare(const gpu::ShaderLibrary& 
         variant, gpu::ComputePipeline(
                      *context_, shaders,
                      {.name = "raster/surfaces",
-                      .shader = "fill_shading_cache.comp",
+                      .shader = shader::fillShadingCache,
                       .pushConstantBytes = sizeof(shared::RasterPush),
                       .setLayouts = {frameLayout_.get()},
                       .constants = {

@@ -1,5 +1,6 @@
 #include "render/resolve/tile_classification.h"
 
+#include "render/shader_names.h"
 #include "shaders/shared/constants.h"
 
 #include <algorithm>
@@ -16,7 +17,7 @@ TileClassification::TileClassification(const gpu::DeviceContext& context,
         sort_ = gpu::ComputePipeline(
             context, shaders,
             {.name = "raster/tiles",
-             .shader = "sort_tiles.comp",
+             .shader = shader::sortTiles,
              .pushConstantBytes = sizeof(shared::RasterPush),
              .constants = {{.id = shared::idSamplesPerPixel, .value = samples}}});
 }

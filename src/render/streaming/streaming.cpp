@@ -3,6 +3,7 @@
 #include "core/expect.h"
 #include "core/mapped_file.h"
 #include "gpu/recording/barrier.h"
+#include "render/shader_names.h"
 
 #include <algorithm>
 #include <bit>
@@ -63,7 +64,7 @@ Streaming::Streaming(const gpu::DeviceContext& context, const gpu::ShaderLibrary
               settings.usesCopyQueue)
     , change_(context, shaders,
               {.name = "change pages",
-               .shader = "change_pages.comp",
+               .shader = shader::changePages,
                .pushConstantBytes = sizeof(shared::PagePush)})
     , frames_(settings.framesInFlight)
     , coming_(copies_.batches())

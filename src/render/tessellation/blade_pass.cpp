@@ -1,5 +1,6 @@
 #include "render/tessellation/blade_pass.h"
 
+#include "render/shader_names.h"
 #include "shaders/shared/constants.h"
 #include "shaders/shared/passes.h"
 
@@ -9,10 +10,10 @@ gpu::GraphicsPipelineSettings tessellatedBlades()
 {
     gpu::GraphicsPipelineSettings settings;
     settings.name = "blades";
-    settings.vertexShader = "blade.vert";
-    settings.tessellationControlShader = "blade.tesc";
-    settings.tessellationEvaluationShader = "blade.tese";
-    settings.fragmentShader = "blade.frag";
+    settings.vertexShader = shader::bladeVertex;
+    settings.tessellationControlShader = shader::bladeControl;
+    settings.tessellationEvaluationShader = shader::bladeEvaluation;
+    settings.fragmentShader = shader::bladeFragment;
     settings.patchControlPoints = 1;
     settings.pushConstantBytes = sizeof(shared::BladePush);
     return settings;

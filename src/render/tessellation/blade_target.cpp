@@ -5,6 +5,7 @@
 #include "gpu/memory/format_kind.h"
 #include "gpu/pipeline/shader_library.h"
 #include "render/host_shadow_maps.h"
+#include "render/shader_names.h"
 #include "render/tessellation/blade_pass.h"
 #include "shaders/shared/constants.h"
 #include "shaders/shared/passes.h"
@@ -99,13 +100,13 @@ gpu::GraphicsPipelineSettings visibilityPipelineFor(const HostTarget& target)
 {
     gpu::GraphicsPipelineSettings settings;
     settings.name = "blades/visibility";
-    settings.vertexShader = "draw_visibility.vert";
+    settings.vertexShader = shader::drawVisibilityVertex;
     if (target.writesMotion)
-        settings.fragmentShader = target.samples > 1 ? "draw_visibility_motion_of_four.frag"
-                                                     : "draw_visibility_motion.frag";
+        settings.fragmentShader =
+            target.samples > 1 ? shader::drawVisibilityMotionOfFour : shader::drawVisibilityMotion;
     else
         settings.fragmentShader =
-            target.samples > 1 ? "draw_visibility_of_four.frag" : "draw_visibility.frag";
+            target.samples > 1 ? shader::drawVisibilityOfFour : shader::drawVisibility;
     settings.pushConstantBytes = sizeof(shared::HostViewPush);
     setTarget(settings, target);
     settings.constants.push_back({.id = shared::idSamplesPerPixel, .value = target.samples});
@@ -120,14 +121,14 @@ gpu::GraphicsPipelineSettings pipelineFor(const HostTarget& target)
     setTarget(settings, target);
     if (target.writesMotion) {
         settings.name = "blades/motion";
-        settings.vertexShader = "blade_motion.vert";
-        settings.tessellationControlShader = "blade_motion.tesc";
-        settings.tessellationEvaluationShader = "blade_motion.tese";
-        settings.fragmentShader = "blade_motion.frag";
+        settings.vertexShader = shader::bladeMotionVertex;
+        settings.tessellationControlShader = shader::bladeMotionControl;
+        settings.tessellationEvaluationShader = shader::bladeMotionEvaluation;
+        settings.fragmentShader = shader::bladeMotionFragment;
     }
     if (target.colorFormats.empty()) {
         settings.name = "blades/depth";
-        settings.fragmentShader = "blade_depth.frag";
+        settings.fragmentShader = shader::bladeDepthFragment;
     }
     return settings;
 }
@@ -144,8 +145,8 @@ BladeTarget::BladeTarget(const gpu::DeviceContext& context, const HostTarget& ta
         const gpu::ImageSetLayout shadows = hostShadowLayout(context);
         gpu::GraphicsPipelineSettings settings = pipelineFor(target);
         settings.name += "/host light";
-        settings.fragmentShader =
-            target.writesMotion ? "blade_motion_host_light.frag" : "blade_host_light.frag";
+        settings.fragmentShader = target.writesMotion ? shader::bladeMotionHostLightFragment
+                                                      : shader::bladeHostLightFragment;
         settings.setLayouts = {shadows.get()};
         hostLight_ =
             gpu::GraphicsPipeline(context, gpu::ShaderLibrary(embedded::shaders()), settings);

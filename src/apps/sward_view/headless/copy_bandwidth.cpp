@@ -11,6 +11,7 @@
 #include "gpu/recording/barrier.h"
 #include "gpu/recording/frame_ring.h"
 #include "gpu/recording/timestamps.h"
+#include "render/shader_names.h"
 #include "shaders/shared/passes.h"
 
 #include <nlohmann/json.hpp>
@@ -74,9 +75,10 @@ CopyBandwidth measureCopies(const gpu::DeviceContext& context, std::uint32_t cop
     };
     const gpu::Buffer from = make("copied");
     const gpu::Buffer to = make("copy");
-    const gpu::ComputePipeline copy(
-        context, gpu::ShaderLibrary(embedded::shaders()),
-        {.name = "copy", .shader = "copy.comp", .pushConstantBytes = sizeof(shared::CopyPush)});
+    const gpu::ComputePipeline copy(context, gpu::ShaderLibrary(embedded::shaders()),
+                                    {.name = "copy",
+                                     .shader = render::shader::copy,
+                                     .pushConstantBytes = sizeof(shared::CopyPush)});
     const auto byCommand = [&](VkCommandBuffer commands) {
         const VkBufferCopy region{0, 0, result.bytes};
         vkCmdCopyBuffer(commands, from.get(), to.get(), 1, &region);

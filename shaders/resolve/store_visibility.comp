@@ -1,6 +1,7 @@
-// Lights the visibility of a host's view and stores the light into the host's picture: see StoredPicture. The including
-// stage defines STORED_SET, the number of the set of the colour, followed by that of the depth, and STORED_FORMAT, rgba8 or rgba16f.
-
+#version 460
+#extension GL_GOOGLE_include_directive : require
+// Lights the visibility of a host's view and stores the light into the host's picture: see StoredPicture. The set of
+// the stored depth follows that of the colour.
 #include "shaders/resolve/sight_blade.glsl"
 #include "shaders/film_curve.glsl"
 #include "shaders/resolve/stored.glsl"

@@ -1,7 +1,0 @@
-#version 460
-#extension GL_GOOGLE_include_directive : require
-// Stores a visibility of several instances, in a host's light, into a picture of halves.
-#define HOST_LIGHT 0
-#define STORED_SET 1
-#define STORED_FORMAT rgba16f
-#include "shaders/resolve/store_visibility.glsl"
