@@ -1,9 +1,9 @@
 // The colours of one blade, from species, ground, clump, meadow and random variation.
-#ifndef SWARD_BLADE_COLORS_GLSL
-#define SWARD_BLADE_COLORS_GLSL
+#ifndef SWARD_BLADE_BLADE_COLORS_GLSL
+#define SWARD_BLADE_BLADE_COLORS_GLSL
 
 #include "shaders/blade/drawn_blade.glsl"
-#include "shaders/lighting.glsl"
+#include "shaders/common/lighting.glsl"
 #include "shaders/shared/cull_result_color.h"
 #include "shaders/shared/noise.h"
 #include "shaders/shared/visibility.h"

@@ -1,8 +1,8 @@
 // The light of one point of a blade, shared by all drawing paths.
-#ifndef SWARD_BLADE_LIGHT_GLSL
-#define SWARD_BLADE_LIGHT_GLSL
+#ifndef SWARD_BLADE_BLADE_LIGHT_GLSL
+#define SWARD_BLADE_BLADE_LIGHT_GLSL
 
-#include "shaders/lighting.glsl"
+#include "shaders/common/lighting.glsl"
 
 struct BladePoint {
     vec3 position; ///< relative to the field's origin

@@ -1,6 +1,6 @@
 // A point of a cross-section.
-#ifndef SWARD_CROSS_SECTION_POINT_GLSL
-#define SWARD_CROSS_SECTION_POINT_GLSL
+#ifndef SWARD_BLADE_CROSS_SECTION_POINT_GLSL
+#define SWARD_BLADE_CROSS_SECTION_POINT_GLSL
 
 #include "shaders/shared/ribbon.h"
 

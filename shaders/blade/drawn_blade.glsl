@@ -1,10 +1,10 @@
 // A visible blade with its pose and shape, the input of all drawing paths. The including stage has a push constant
 // `push` with the frame.
-#ifndef SWARD_DRAWN_BLADE_GLSL
-#define SWARD_DRAWN_BLADE_GLSL
+#ifndef SWARD_BLADE_DRAWN_BLADE_GLSL
+#define SWARD_BLADE_DRAWN_BLADE_GLSL
 
 #include "shaders/blade/known_shape.glsl"
-#include "shaders/cull/pages.glsl"
+#include "shaders/blade/pages.glsl"
 #include "shaders/shared/constants.h"
 #include "shaders/shared/organ.h"
 #include "shaders/shared/passes.h"

@@ -1,7 +1,7 @@
 // The light of a host's own scene on a point of a blade: see shared/host_light.h. Part of blade_light.glsl. HOST_LIGHT
 // is the number of the set of the shadow map.
-#ifndef SWARD_HOST_LIGHT_GLSL
-#define SWARD_HOST_LIGHT_GLSL
+#ifndef SWARD_BLADE_HOST_LIGHT_GLSL
+#define SWARD_BLADE_HOST_LIGHT_GLSL
 
 /// A layer for each cascade; any image if there is none.
 layout(set = HOST_LIGHT, binding = 0) uniform sampler2DArray hostShadow;

@@ -1,6 +1,6 @@
 // The shape of a field's blades, if it is known at pipeline creation.
-#ifndef SWARD_KNOWN_SHAPE_GLSL
-#define SWARD_KNOWN_SHAPE_GLSL
+#ifndef SWARD_BLADE_KNOWN_SHAPE_GLSL
+#define SWARD_BLADE_KNOWN_SHAPE_GLSL
 
 #include "shaders/shared/constants.h"
 #include "shaders/shared/shape.h"

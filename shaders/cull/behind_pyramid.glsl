@@ -1,7 +1,7 @@
 // Tests whether a screen box lies completely behind the depths of a depth pyramid. PYRAMID is the pyramid, in memory;
 // PYRAMID_LEVELS is the number of its filled levels.
-#ifndef SWARD_BEHIND_PYRAMID_GLSL
-#define SWARD_BEHIND_PYRAMID_GLSL
+#ifndef SWARD_CULL_BEHIND_PYRAMID_GLSL
+#define SWARD_CULL_BEHIND_PYRAMID_GLSL
 
 #include "shaders/shared/occlusion.h"
 

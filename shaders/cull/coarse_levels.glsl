@@ -1,7 +1,7 @@
 // The coarse levels of a depth pyramid, each from the one below, by a single work-group. One dispatch per level would
 // spend more time waiting than working.
-#ifndef SWARD_COARSE_LEVELS_GLSL
-#define SWARD_COARSE_LEVELS_GLSL
+#ifndef SWARD_CULL_COARSE_LEVELS_GLSL
+#define SWARD_CULL_COARSE_LEVELS_GLSL
 
 #extension GL_EXT_buffer_reference_uvec2 : require
 

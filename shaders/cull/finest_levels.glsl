@@ -1,7 +1,7 @@
 // The three finest levels of a depth pyramid at once: a work-group has the cells of the finest level that form one cell
 // of the third.
-#ifndef SWARD_FINEST_LEVELS_GLSL
-#define SWARD_FINEST_LEVELS_GLSL
+#ifndef SWARD_CULL_FINEST_LEVELS_GLSL
+#define SWARD_CULL_FINEST_LEVELS_GLSL
 
 #include "shaders/cull/coarse_levels.glsl"
 

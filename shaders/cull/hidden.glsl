@@ -1,6 +1,6 @@
 // Tests whether the ground hides something. CULL_VIEW is the frame of the tested camera.
-#ifndef SWARD_HIDDEN_GLSL
-#define SWARD_HIDDEN_GLSL
+#ifndef SWARD_CULL_HIDDEN_GLSL
+#define SWARD_CULL_HIDDEN_GLSL
 
 #define PYRAMID CULL_VIEW.pyramid
 #include "shaders/cull/behind_pyramid.glsl"

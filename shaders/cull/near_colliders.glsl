@@ -1,7 +1,7 @@
 // Colliders near the patches that a work-group of the update takes, and the patches that are left to a dispatch with
 // code for colliders. The including stage has `push`, CULL_VIEW, `taken` and `colliderBits`.
-#ifndef SWARD_NEAR_COLLIDERS_GLSL
-#define SWARD_NEAR_COLLIDERS_GLSL
+#ifndef SWARD_CULL_NEAR_COLLIDERS_GLSL
+#define SWARD_CULL_NEAR_COLLIDERS_GLSL
 
 #include "shaders/shared/passes.h"
 

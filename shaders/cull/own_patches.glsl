@@ -1,8 +1,8 @@
 // Assigns visible patches to work-groups of the update. The including stage has a push constant `push` of type
 // UpdatePush. `patchesOfGroup` is patchesTogether if a work-group takes neighbours together where there are many
 // patches, and 1 if it never does. `takes` is one of takesAll ….
-#ifndef SWARD_OWN_PATCHES_GLSL
-#define SWARD_OWN_PATCHES_GLSL
+#ifndef SWARD_CULL_OWN_PATCHES_GLSL
+#define SWARD_CULL_OWN_PATCHES_GLSL
 
 #include "shaders/shared/passes.h"
 

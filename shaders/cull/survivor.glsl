@@ -1,6 +1,6 @@
 // A survivor in a work-group of the update until it is listed, in half the size of a VisibleBlade.
-#ifndef SWARD_SURVIVOR_GLSL
-#define SWARD_SURVIVOR_GLSL
+#ifndef SWARD_CULL_SURVIVOR_GLSL
+#define SWARD_CULL_SURVIVOR_GLSL
 
 #include "shaders/shared/frame.h"
 

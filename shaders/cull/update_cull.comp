@@ -12,7 +12,7 @@
 layout(local_size_x = updateThreads, local_size_x_id = idThreadsOfGroup) in;
 layout(push_constant, scalar) uniform Block { UpdatePush push; };
 #define FRAME_SET 0
-#include "shaders/frame_constants.glsl"
+#include "shaders/common/frame_constants.glsl"
 #define CULL_VIEW FRAME
 #define WIND_SOURCE(wind, i) CULL_VIEW.environment.wind.sources[i]
 #define WIND_PHASE(wind, i) CULL_VIEW.environment.wind.phases[i]
@@ -24,7 +24,7 @@ layout(constant_id = idFeatures) const uint features = featureAll;
 
 #include "shaders/cull/hidden.glsl"
 #include "shaders/cull/survivor.glsl"
-#include "shaders/cull/pages.glsl"
+#include "shaders/blade/pages.glsl"
 #include "shaders/shared/physics.h"
 #include "shaders/shared/visibility.h"
 

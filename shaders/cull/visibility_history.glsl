@@ -1,7 +1,7 @@
 // The visibility history decides which parts of a blade are drawn in the early pass and which in the late one. The
 // including stage has a push constant `push` of type UpdatePush and the feature flags `features` and `testsSmall`.
-#ifndef SWARD_VISIBILITY_HISTORY_GLSL
-#define SWARD_VISIBILITY_HISTORY_GLSL
+#ifndef SWARD_CULL_VISIBILITY_HISTORY_GLSL
+#define SWARD_CULL_VISIBILITY_HISTORY_GLSL
 
 #include "shaders/shared/passes.h"
 

@@ -15,7 +15,7 @@ layout(push_constant, scalar) uniform Block { WalkPush push; };
 layout(constant_id = idPatchesOfGroup) const uint patchesOfGroup = patchesTogether;
 
 #include "shaders/cull/hidden.glsl"
-#include "shaders/cull/pages.glsl"
+#include "shaders/blade/pages.glsl"
 
 shared uint childTotal;
 shared uint liveTotal;

@@ -1,6 +1,6 @@
 // Whether a cluster of the ground may be visible in the frame CULL_VIEW.
-#ifndef SWARD_GROUND_CLUSTER_SEEN_GLSL
-#define SWARD_GROUND_CLUSTER_SEEN_GLSL
+#ifndef SWARD_PREVIEW_CLUSTER_SEEN_GLSL
+#define SWARD_PREVIEW_CLUSTER_SEEN_GLSL
 
 bool clusterSeen(GroundCluster cluster)
 {

@@ -1,8 +1,8 @@
 // The light of a ball or capsule, shared by all drawing paths.
-#ifndef SWARD_COLLIDER_LIGHT_GLSL
-#define SWARD_COLLIDER_LIGHT_GLSL
+#ifndef SWARD_PREVIEW_COLLIDER_LIGHT_GLSL
+#define SWARD_PREVIEW_COLLIDER_LIGHT_GLSL
 
-#include "shaders/lighting.glsl"
+#include "shaders/common/lighting.glsl"
 
 /// Painted wood, in a red that grass does not have.
 const vec3 paint = vec3(0.52, 0.075, 0.035);

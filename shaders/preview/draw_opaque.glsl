@@ -1,6 +1,6 @@
 // Draws the samples of an opaque triangle into the visibility, one after another.
-#ifndef SWARD_OPAQUE_DRAW_GLSL
-#define SWARD_OPAQUE_DRAW_GLSL
+#ifndef SWARD_PREVIEW_DRAW_OPAQUE_GLSL
+#define SWARD_PREVIEW_DRAW_OPAQUE_GLSL
 
 #include "shaders/preview/opaque_triangle.glsl"
 

@@ -11,7 +11,7 @@ vec4 pixelAt(ivec2 pixel)
     return texelFetch(resolved[0], clamp(pixel, ivec2(0), textureSize(resolved[0], 0) - 1), 0);
 }
 
-#include "shaders/preview/reconstruction_filter.glsl"
+#include "shaders/resolve/reconstruction_filter.glsl"
 
 void main()
 {

@@ -1,6 +1,6 @@
 #version 460
 #extension GL_GOOGLE_include_directive : require
-#include "shaders/whole_picture.glsl"
+#include "shaders/preview/whole_picture.glsl"
 
 void main()
 {

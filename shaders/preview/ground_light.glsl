@@ -1,8 +1,8 @@
 // The light of the ground, shared by all drawing paths.
-#ifndef SWARD_GROUND_LIGHT_GLSL
-#define SWARD_GROUND_LIGHT_GLSL
+#ifndef SWARD_PREVIEW_GROUND_LIGHT_GLSL
+#define SWARD_PREVIEW_GROUND_LIGHT_GLSL
 
-#include "shaders/lighting.glsl"
+#include "shaders/common/lighting.glsl"
 #include "shaders/shared/ground.h"
 #include "shaders/shared/noise.h"
 

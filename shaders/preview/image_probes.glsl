@@ -1,8 +1,8 @@
 // Probe places of an image for a pixel that sees it at a slant: a few in a row, as in
 // GL_EXT_texture_filter_anisotropic. Does not use a sampler's anisotropy: a driver may take its gradients from
 // neighbouring threads, which in a compute shader are not neighbours in the picture.
-#ifndef SWARD_GROUND_IMAGE_PROBES_GLSL
-#define SWARD_GROUND_IMAGE_PROBES_GLSL
+#ifndef SWARD_PREVIEW_IMAGE_PROBES_GLSL
+#define SWARD_PREVIEW_IMAGE_PROBES_GLSL
 
 const float maxProbes = 8.0;
 

@@ -10,7 +10,7 @@ layout(set = 0, binding = 0) uniform sampler2D baseColors[imagesTogether];
 layout(set = 0, binding = 1, rgba16f) uniform image2D lit;
 
 #define FRAME_SET 1
-#include "shaders/frame_constants.glsl"
+#include "shaders/common/frame_constants.glsl"
 #include "shaders/preview/collider_light.glsl"
 #include "shaders/preview/ground_light.glsl"
 #include "shaders/preview/image_probes.glsl"

@@ -1,6 +1,6 @@
 // The part of the picture that an opaque triangle may touch.
-#ifndef SWARD_OPAQUE_REACH_GLSL
-#define SWARD_OPAQUE_REACH_GLSL
+#ifndef SWARD_PREVIEW_OPAQUE_REACH_GLSL
+#define SWARD_PREVIEW_OPAQUE_REACH_GLSL
 
 #include "shaders/preview/opaque_triangle.glsl"
 

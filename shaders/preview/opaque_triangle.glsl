@@ -5,8 +5,8 @@
 // correct on both sides of the near plane, without clipping. Two triangles with a common edge compute the same two
 // products for it and subtract them in opposite order; `precise` makes both round equally. So a sample on the edge is
 // inside both triangles, and a sample beside it is in exactly one: no gaps.
-#ifndef SWARD_OPAQUE_TRIANGLE_GLSL
-#define SWARD_OPAQUE_TRIANGLE_GLSL
+#ifndef SWARD_PREVIEW_OPAQUE_TRIANGLE_GLSL
+#define SWARD_PREVIEW_OPAQUE_TRIANGLE_GLSL
 
 #include "shaders/preview/shape.glsl"
 #include "shaders/raster/visibility.glsl"

@@ -7,7 +7,7 @@
 layout(push_constant, scalar) uniform Block { OpaquePush push; };
 
 #define FRAME_SET 1
-#include "shaders/frame_constants.glsl"
+#include "shaders/common/frame_constants.glsl"
 #include "shaders/preview/draw_opaque.glsl"
 
 layout(local_size_x = opaqueTileThreads) in;

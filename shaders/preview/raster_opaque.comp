@@ -10,7 +10,7 @@
 layout(push_constant, scalar) uniform Block { OpaquePush push; };
 
 #define FRAME_SET 1
-#include "shaders/frame_constants.glsl"
+#include "shaders/common/frame_constants.glsl"
 #define CULL_VIEW FRAME
 #include "shaders/preview/cluster_seen.glsl"
 #include "shaders/preview/draw_opaque.glsl"

@@ -1,7 +1,7 @@
 // A capsule as triangles, generated from the vertex number: rings of quads from one pole to the other. The middle ring
 // joins both halves; in a ball it has no height.
-#ifndef SWARD_COLLIDER_SHAPE_GLSL
-#define SWARD_COLLIDER_SHAPE_GLSL
+#ifndef SWARD_PREVIEW_SHAPE_GLSL
+#define SWARD_PREVIEW_SHAPE_GLSL
 
 #include "shaders/shared/octahedral.h"
 #include "shaders/shared/passes.h"

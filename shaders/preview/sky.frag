@@ -5,7 +5,7 @@
 
 layout(push_constant, scalar) uniform Block { ViewPush push; };
 
-#include "shaders/preview/sky_light.glsl"
+#include "shaders/common/sky_light.glsl"
 
 layout(location = 0) in vec3 inRay;
 

@@ -5,8 +5,8 @@
 
 layout(push_constant, scalar) uniform Block { ViewPush push; };
 
-#include "shaders/preview/sky_light.glsl"
-#include "shaders/whole_picture.glsl"
+#include "shaders/common/view_ray.glsl"
+#include "shaders/preview/whole_picture.glsl"
 
 layout(location = 0) out vec3 outRay;
 

@@ -12,7 +12,7 @@ RasterPush push; // of the chosen instance
 // The frame of a view's only instance is read as constants, which is faster.
 #ifndef HAS_INSTANCES
 #define FRAME_SET 0
-#include "shaders/frame_constants.glsl"
+#include "shaders/common/frame_constants.glsl"
 #else
 #define FRAME push.frame.at[0]
 #endif

@@ -1,6 +1,6 @@
 // A large blade in the form of the list.
-#ifndef SWARD_LARGE_PART_GLSL
-#define SWARD_LARGE_PART_GLSL
+#ifndef SWARD_RASTER_LARGE_PART_GLSL
+#define SWARD_RASTER_LARGE_PART_GLSL
 
 #include "shaders/blade/known_shape.glsl"
 #include "shaders/shared/passes.h"

@@ -12,7 +12,7 @@ layout(constant_id = idIsPaged) const bool isPaged = false;
 #define MAY_BE_PAGED isPaged
 
 #define FRAME_SET 0
-#include "shaders/frame_constants.glsl"
+#include "shaders/common/frame_constants.glsl"
 
 const bool isLate = true;
 

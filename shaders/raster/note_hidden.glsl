@@ -3,7 +3,7 @@
 #define SWARD_RASTER_NOTE_HIDDEN_GLSL
 
 #include "shaders/shared/passes.h"
-#include "shaders/cull/pages.glsl"
+#include "shaders/blade/pages.glsl"
 
 /// Whether a hidden blade is culled. Without the occlusion test it counts as drawn.
 bool cullsHidden()

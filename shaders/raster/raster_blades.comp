@@ -13,7 +13,7 @@ layout(constant_id = idIsPaged) const bool isPaged = false;
 #define MAY_BE_PAGED isPaged
 
 #define FRAME_SET 0
-#include "shaders/frame_constants.glsl"
+#include "shaders/common/frame_constants.glsl"
 #include "shaders/raster/draw_alone.glsl"
 
 layout(local_size_x = rasterThreads) in;

@@ -10,7 +10,7 @@
 layout(push_constant, scalar) uniform Block { RasterPush push; };
 
 #define FRAME_SET 0
-#include "shaders/frame_constants.glsl"
+#include "shaders/common/frame_constants.glsl"
 #endif
 #include "shaders/raster/large_part.glsl"
 #include "shaders/raster/span.glsl"

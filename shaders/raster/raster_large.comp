@@ -11,7 +11,7 @@
 layout(push_constant, scalar) uniform Block { RasterPush push; };
 
 #define FRAME_SET 0
-#include "shaders/frame_constants.glsl"
+#include "shaders/common/frame_constants.glsl"
 #endif
 #include "shaders/raster/large_part.glsl"
 #include "shaders/raster/part_rows.glsl"

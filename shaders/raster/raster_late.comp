@@ -13,7 +13,7 @@ layout(constant_id = idIsPaged) const bool isPaged = false;
 #define MAY_BE_PAGED isPaged
 
 #define FRAME_SET 0
-#include "shaders/frame_constants.glsl"
+#include "shaders/common/frame_constants.glsl"
 
 #include "shaders/raster/hidden_rectangle.glsl"
 #include "shaders/raster/note_hidden.glsl"

@@ -3,7 +3,7 @@
 #define SWARD_RASTER_SEEN_PLACE_GLSL
 
 #include "shaders/raster/seen_triangle.glsl"
-#include "shaders/preview/sky_light.glsl"
+#include "shaders/common/view_ray.glsl"
 
 /// A corner of a ribbon's triangle.
 struct Corner {

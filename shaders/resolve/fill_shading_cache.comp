@@ -7,7 +7,7 @@
 layout(push_constant, scalar) uniform Block { RasterPush push; };
 
 #define FRAME_SET 0
-#include "shaders/frame_constants.glsl"
+#include "shaders/common/frame_constants.glsl"
 #include "shaders/resolve/shading_cache.glsl"
 
 layout(local_size_x = rasterThreads) in;

@@ -1,8 +1,8 @@
 // A tile of pixels is shaded by one thread per pixel. Shading tasks are gathered first, because a pixel has none to
 // four of them: with a thread for each pixel's tasks, threads would wait for their neighbours. The including stage
 // defines the width of its tiles, `gatherTile`.
-#ifndef SWARD_RASTER_GATHER_GLSL
-#define SWARD_RASTER_GATHER_GLSL
+#ifndef SWARD_RESOLVE_GATHER_GLSL
+#define SWARD_RESOLVE_GATHER_GLSL
 
 #include "shaders/raster/visibility.glsl"
 

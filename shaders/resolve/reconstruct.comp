@@ -15,7 +15,7 @@ vec4 pixelAt(ivec2 pixel)
     return texelFetch(shaded, clamp(pixel, ivec2(0), ivec2(push.size) - 1), 0);
 }
 
-#include "shaders/preview/reconstruction_filter.glsl"
+#include "shaders/resolve/reconstruction_filter.glsl"
 #include "shaders/resolve/tile_classification.glsl"
 
 void main()

@@ -9,7 +9,7 @@ layout(set = 0, binding = 1, rgba8) uniform writeonly image2D picture;
 
 #include "shaders/resolve/stored.glsl"
 #define FRAME_SET 1
-#include "shaders/frame_constants.glsl"
+#include "shaders/common/frame_constants.glsl"
 #include "shaders/raster/visibility.glsl"
 #include "shaders/resolve/resolve.glsl"
 #include "shaders/resolve/tile_classification.glsl"

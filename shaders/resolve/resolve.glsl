@@ -1,9 +1,12 @@
 // Shades the surfaces in a visibility.
+#ifndef SWARD_RESOLVE_RESOLVE_GLSL
+#define SWARD_RESOLVE_RESOLVE_GLSL
+
 #include "shaders/resolve/known_blade.glsl"
 #include "shaders/resolve/shade_found.glsl"
 #include "shaders/shared/constants.h"
 #include "shaders/shared/visibility.h"
-#include "shaders/preview/sky_light.glsl"
+#include "shaders/common/sky_light.glsl"
 
 layout(local_size_x = rasterTile, local_size_y = rasterTile) in;
 
@@ -27,3 +30,5 @@ vec4 skyAt(Lens lens, uvec2 pixel)
     const vec2 middle = vec2(pixel) + 0.5;
     return vec4(skyPicture(normalize(rayTo(lens, middle)), middle), 1.0);
 }
+
+#endif

@@ -10,7 +10,7 @@ layout(set = 0, binding = 1, rgba16f) uniform image2D shaded;
 layout(set = 2, binding = 1, rgba8) uniform writeonly image2D picture;
 
 #define FRAME_SET 1
-#include "shaders/frame_constants.glsl"
+#include "shaders/common/frame_constants.glsl"
 #include "shaders/raster/visibility.glsl"
 
 #include "shaders/resolve/resolve.glsl"

@@ -1,6 +1,6 @@
 // The light of a visible place of a blade.
-#ifndef SWARD_RASTER_SHADE_FOUND_GLSL
-#define SWARD_RASTER_SHADE_FOUND_GLSL
+#ifndef SWARD_RESOLVE_SHADE_FOUND_GLSL
+#define SWARD_RESOLVE_SHADE_FOUND_GLSL
 
 #include "shaders/blade/blade_light.glsl"
 #include "shaders/raster/seen_blade.glsl"

@@ -1,7 +1,7 @@
 // Shading cache: shading data of large blades, kept for all pixels that show them. Recomputing the data would take half
 // of a resolve's time.
-#ifndef SWARD_RASTER_SHADING_CACHE_GLSL
-#define SWARD_RASTER_SHADING_CACHE_GLSL
+#ifndef SWARD_RESOLVE_SHADING_CACHE_GLSL
+#define SWARD_RESOLVE_SHADING_CACHE_GLSL
 
 #include "shaders/raster/large_part.glsl"
 #include "shaders/raster/seen_blade.glsl"

@@ -3,7 +3,7 @@
 // Lights the visibility of a host's view and stores the light into the host's picture: see StoredPicture. The set of
 // the stored depth follows that of the colour.
 #include "shaders/resolve/sight_blade.glsl"
-#include "shaders/film_curve.glsl"
+#include "shaders/common/film_curve.glsl"
 #include "shaders/resolve/stored.glsl"
 
 layout(local_size_x = rasterTile, local_size_y = rasterTile) in;

@@ -1,6 +1,6 @@
 // Encoding of pixels in the memory of a picture. The including stage has a push constant `push` of type RasterPush.
-#ifndef SWARD_RASTER_STORED_GLSL
-#define SWARD_RASTER_STORED_GLSL
+#ifndef SWARD_RESOLVE_STORED_GLSL
+#define SWARD_RESOLVE_STORED_GLSL
 
 /// sRGB-encodes a linear colour (IEC 61966-2-1).
 vec3 encodeSrgb(vec3 c)

@@ -1,6 +1,6 @@
 // The tile of pixels of a work-group. The including stage has a push constant `push` with `tiles` and `size`.
-#ifndef SWARD_RASTER_TILE_CLASSIFICATION_GLSL
-#define SWARD_RASTER_TILE_CLASSIFICATION_GLSL
+#ifndef SWARD_RESOLVE_TILE_CLASSIFICATION_GLSL
+#define SWARD_RESOLVE_TILE_CLASSIFICATION_GLSL
 
 #extension GL_EXT_buffer_reference_uvec2 : require
 

@@ -1,7 +1,7 @@
 // Varyings that are constant over a blade, from the vertex to the fragment stage. Packed into nine words, because each
 // varying of a tessellator's vertices is expensive.
-#ifndef SWARD_BLADE_VARYINGS_GLSL
-#define SWARD_BLADE_VARYINGS_GLSL
+#ifndef SWARD_TESSELLATION_BLADE_VARYINGS_GLSL
+#define SWARD_TESSELLATION_BLADE_VARYINGS_GLSL
 
 struct BladeVaryings {
     uvec4 surface; ///< colours in halves; open sky, translucency, gloss and the sun at the root in bytes

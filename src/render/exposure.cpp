@@ -17,7 +17,7 @@ namespace {
 constexpr float minExposure = 0.25f;
 constexpr float maxExposure = 4.0f;
 
-/// Radiance times exposure that the film (shaders/film_curve.glsl) shows as 18 % grey, and as 97 %.
+/// Radiance times exposure that the film (shaders/common/film_curve.glsl) shows as 18 % grey, and as 97 %.
 constexpr float exposedGrey = 0.163f;
 constexpr float exposedBright = 4.7f;
 

@@ -10,7 +10,7 @@
 namespace sward::render {
 
 /// How shaders access a shared::Frame: by address, and as constants in a descriptor set
-/// (shaders/frame_constants.glsl).
+/// (shaders/common/frame_constants.glsl).
 struct FramePlace {
     VkDeviceAddress address = 0;
     VkDescriptorSet constants = VK_NULL_HANDLE;

@@ -1,4 +1,4 @@
-"""Who may know whom: reads every #include of the libraries and fails on a forbidden arrow.
+"""Who may know whom: reads every #include of libraries and shaders and fails on a forbidden arrow.
 
 The table below is the one of ARCHITECTURE.md. A library that needs a new arrow gets it here, in the
 open, or not at all.
@@ -95,7 +95,11 @@ INSIDE = {
     "bake": "paint filter sample patches blades tiles",
     "terrain": "topology image heightmap gltf mesh_files procedural query",
     "sward_view": "paint interface panels window headless",
+    "shaders": "common blade cull raster resolve tessellation preview bench",
 }
+
+# Libraries whose sources all lie in folders.
+ALL_IN_FOLDERS = {"shaders"}
 
 # Headers that would double the build if other headers passed them on; these light ones may.
 NOT_IN_HEADERS = {"nlohmann": ["nlohmann/json_fwd.hpp"], "cli11": [], "spdlog": []}
@@ -171,8 +175,8 @@ def wrong_folder(path, included, library):
     for file in (path, included):
         parts = file[len(FOLDERS[library]) + 1:].split("/")
         folders.append(parts[0] if len(parts) > 1 else "")
-        if folders[-1] and order and folders[-1] not in order:
-            return f"{folders[-1]} is no known folder of {library}"
+        if (folders[-1] or library in ALL_IN_FOLDERS) and order and folders[-1] not in order:
+            return f"{folders[-1] or 'the root'} is no known folder of {library}"
     own, other = folders
     if own in order and other in order and order.index(other) > order.index(own):
         return f"{own} must not see {other}"
@@ -182,9 +186,9 @@ def wrong_folder(path, included, library):
 def forbidden_arrows(root):
     """All offences below `root`, as file:line: reason; and the number of includes that were read."""
     offences, count = [], 0
-    for top in ("terrain", "src", "shaders/shared"):
+    for top in ("terrain", "src", "shaders"):
         for file in sorted((root / top).rglob("*")):
-            if file.suffix not in (".h", ".cpp"):
+            if file.suffix not in (".h", ".cpp", ".glsl", ".comp", ".vert", ".tesc", ".tese", ".frag"):
                 continue
             path = file.relative_to(root).as_posix()
             if library_of(path) is None:
@@ -277,11 +281,16 @@ class PlantedIncludesAreCaught(unittest.TestCase):
             ("src/elsewhere/a.cpp", "#include <vector>", "belongs to no library"),
             ("terrain/load.cpp", '#include "terrain/gltf/outer.h"', "may see tinygltf"),
             ("src/render/cull/a.cpp", '#include "render/raster/raster.h"', "cull must not see raster"),
+            ("shaders/raster/a.comp", '#include "shaders/preview/a.glsl"', "raster must not see preview"),
+            ("shaders/a.glsl", '#include "shaders/preview/a.glsl"', "the root is no known folder of shaders"),
+            ("shaders/raster/a.comp", '#include "shaders/a.glsl"', "belongs to no known library"),
+            ("shaders/shared/b.h", '#include "shaders/preview/a.glsl"', "shared must not see shaders"),
+            ("shaders/cull/a.comp", '#include "core/b.h"', "belongs to no known library"),
             ("src/render/odd/a.cpp", '#include "render/pass.h"', "odd is no known folder of render"),
         ]
         house = {path: "#pragma once\n" for path in (
             "src/field/field.h", "terrain/mesh.h", "src/render/pass.h", "src/gpu/device/device.h",
-            "src/bake/bake.h", "src/render/raster/raster.h")}
+            "src/bake/bake.h", "src/render/raster/raster.h", "shaders/preview/a.glsl")}
         house["terrain/gltf/inner.h"] = "#pragma once\n#include <tiny_gltf.h>\n"
         house["terrain/gltf/outer.h"] = '#pragma once\n#include "terrain/gltf/inner.h"\n'
         for path, line, reason in planted:
@@ -300,6 +309,9 @@ class PlantedIncludesAreCaught(unittest.TestCase):
             "src/render/pass.h": "#pragma once\n",
             "src/render/cull/cull.h": '#pragma once\n#include "render/pass.h"\n',
             "src/render/raster/raster.cpp": '#include "render/cull/cull.h"\n',
+            "shaders/shared/blade.h": "",
+            "shaders/cull/a.glsl": '#include "shaders/shared/blade.h"\n',
+            "shaders/raster/a.comp": '#include "shaders/cull/a.glsl"\n',
             "src/render/grass.cpp": '#include "render/cull/cull.h"\n',
         }), [])
 

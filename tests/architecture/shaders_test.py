@@ -1,6 +1,7 @@
 """Rules of shaders. Compiled ones keep two rules of SPIR-V that spirv-val knows since 2025, and so does the validation
 layer: whatever spirv-val a machine has. scripts/validate-shaders asks the newest. Sources name specialisation constants
 by the ids of shaders/shared/constants.h, and modules by the names of shaders/modules.def.
+Include guards are named after paths.
 
     shaders_test.py MODULES      compiled modules, separated by semicolons
 """
@@ -19,6 +20,9 @@ STAGES = (".comp", ".vert", ".tesc", ".tese", ".frag")
 SHADER_MODULE = re.compile(r'^SHADER_MODULE\((\w+), "([^"]*)", "([^"]*)"\)$', re.MULTILINE)
 ASKED = re.compile(r"^#\s*(?:ifdef|ifndef)\s+([A-Z_]+)$|\bset = ([A-Z_]+)\b|\b(STORED_FORMAT)\b", re.MULTILINE)
 SHADER_FILE = re.compile(r'"[^"\n]*\.(?:comp|vert|tesc|tese|frag)"')
+
+# The guard of what is included: before anything but comments.
+GUARD = re.compile(r"(?:\s*//.*\n)*\s*#ifndef (\w+)\n#define \1\n")
 
 # A declared id; its use by a constant of GLSL, which may be the size of a work-group; a literal in C++.
 DECLARED_ID = re.compile(r"\bSHARED_CONST uint (id[A-Z]\w*) = (\d+)u;")
@@ -217,6 +221,15 @@ class SpecialisationConstants(unittest.TestCase):
         for declarations, shader, pipeline, reason in planted:
             with self.subTest(reason=reason):
                 self.assertEqual(wrong_ids(declarations, {"a": shader}, {"b": pipeline}), [reason])
+
+
+class Guards(unittest.TestCase):
+    def test_each_guard_is_the_path(self):
+        found = {path: guard[1] if (guard := GUARD.match(text)) else None
+                 for path, text in texts("shaders", suffixes=(".glsl", ".h")).items()}
+        self.assertGreater(len(found), 60)
+        wanted = {path: "SWARD_" + re.sub(r"\W", "_", path.removeprefix("shaders/")).upper() for path in found}
+        self.assertEqual({path: guard for path, guard in found.items() if guard != wanted[path]}, {})
 
 
 class Modules(unittest.TestCase):

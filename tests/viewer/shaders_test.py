@@ -45,7 +45,7 @@ class LongShadersTest(WindowCase):
         self.assertGreater(blue, red)
 
         # Change a colour in an included file.
-        sky = "preview/sky_light.glsl"
+        sky = "common/sky_light.glsl"
         self.rewrite(sky, SUM, SUM + RED)
         viewer.wait(lambda: self.sky()[0] > self.sky()[2] + 60, "the sky is red")
 

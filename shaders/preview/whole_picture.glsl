@@ -1,6 +1,6 @@
 // One triangle over the whole picture, without a vertex buffer: three indices.
-#ifndef SWARD_WHOLE_PICTURE_GLSL
-#define SWARD_WHOLE_PICTURE_GLSL
+#ifndef SWARD_PREVIEW_WHOLE_PICTURE_GLSL
+#define SWARD_PREVIEW_WHOLE_PICTURE_GLSL
 
 /// The corner with an index, −1 … 3 to the right and downwards; the picture is −1 … 1.
 vec2 cornerOfPicture(int index)

@@ -1,8 +1,8 @@
 // Light, air and film, shared by ground, grass and sky. The including stage has a push constant `push` with the frame.
-#ifndef SWARD_LIGHTING_GLSL
-#define SWARD_LIGHTING_GLSL
+#ifndef SWARD_COMMON_LIGHTING_GLSL
+#define SWARD_COMMON_LIGHTING_GLSL
 
-#include "shaders/film_curve.glsl"
+#include "shaders/common/film_curve.glsl"
 #include "shaders/shared/constants.h"
 #include "shaders/shared/debug_mode.h"
 #include "shaders/shared/distance_band.h"

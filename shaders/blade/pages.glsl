@@ -1,6 +1,6 @@
 // Maps the places of blades in the field to places in memory. All other code names blades by place in the field.
-#ifndef SWARD_PAGES_GLSL
-#define SWARD_PAGES_GLSL
+#ifndef SWARD_BLADE_PAGES_GLSL
+#define SWARD_BLADE_PAGES_GLSL
 
 #include "shaders/shared/pages.h"
 

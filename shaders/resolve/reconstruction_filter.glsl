@@ -1,8 +1,8 @@
 // The picture's reconstruction filter: a box over a pixel's samples where the picture is sharp, wider where grass is
 // finer than pixels. docs/algorithms/shading.md. The including stage has pixelAt(): linear colour and 1 − softness of a
 // pixel, clamped to the picture.
-#ifndef SWARD_FILM_RECONSTRUCTION_FILTER_GLSL
-#define SWARD_FILM_RECONSTRUCTION_FILTER_GLSL
+#ifndef SWARD_RESOLVE_RECONSTRUCTION_FILTER_GLSL
+#define SWARD_RESOLVE_RECONSTRUCTION_FILTER_GLSL
 
 /// Weight of each neighbour in a cubic B-spline; the pixel itself has 2/3.
 const float softSide = 1.0 / 6.0;

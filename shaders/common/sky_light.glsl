@@ -1,8 +1,8 @@
 // The film colour of the sky, shared by all drawing paths.
-#ifndef SWARD_SKY_LIGHT_GLSL
-#define SWARD_SKY_LIGHT_GLSL
+#ifndef SWARD_COMMON_SKY_LIGHT_GLSL
+#define SWARD_COMMON_SKY_LIGHT_GLSL
 
-#include "shaders/lighting.glsl"
+#include "shaders/common/lighting.glsl"
 #include "shaders/shared/noise.h"
 
 /// Thickness of the clouds at a place of their layer, 0 where there is none.
@@ -54,12 +54,6 @@ vec3 skyPicture(vec3 ray, vec2 place)
     const float toSun = dot(ray, FRAME.sunDirection);
     color += FRAME.sunColor * 6.0 * smoothstep(0.99985, 0.99997, toSun);
     return dithered(develop(color), place);
-}
-
-/// The ray through a place of the picture in clip coordinates, (x, y, ·, 1); its length gives clip w = 1.
-vec3 rayThrough(vec2 place)
-{
-    return place.x * FRAME.rays[0] + (place.y * FRAME.rays[1] + FRAME.rays[2]);
 }
 
 #endif

@@ -1,6 +1,6 @@
 // Converts light to a picture.
-#ifndef SWARD_FILM_CURVE_GLSL
-#define SWARD_FILM_CURVE_GLSL
+#ifndef SWARD_COMMON_FILM_CURVE_GLSL
+#define SWARD_COMMON_FILM_CURVE_GLSL
 
 /// The filmic curve fitted to ACES by K. Narkowicz ("ACES Filmic Tone Mapping Curve", 2015), slightly desaturated in
 /// bright areas. `exposed`: radiance times exposure.
