@@ -21,15 +21,15 @@ struct SightedBlade {
 SightedBlade sightBlade(uvec2 pixel, uint what, uint samples, uint middle, float depth)
 {
     SightedBlade blade;
-    blade.instance = instanceOf(what);
 #ifdef HAS_INSTANCES
+    blade.instance = instanceOf(what);
     chooseInstance(blade.instance);
-#endif
     blade.lens = lensOf();
-#ifndef HAS_INSTANCES
-    blade.seen = seenBlade(what - push.firstBlade);
-#else
     blade.seen = freshBlade(what - push.firstBlade);
+#else
+    blade.instance = 0u;
+    blade.lens = lensOf();
+    blade.seen = seenBlade(what - push.firstBlade);
 #endif
     blade.found = find(blade.lens, blade.seen.ribbon,
                        Sighting(vec2(pixel) + samplePlace(middle), depth, vec2(pixel) + middleOf(samples)));

@@ -38,11 +38,12 @@ SHARED_CONST uint idThreadsOfGroup = 18u; ///< of the update
 SHARED_CONST uint idLargeTo = 19u;         ///< largeToGroups …
 SHARED_CONST uint idFillsAll = 20u;        ///< all levels of the pyramid; else the finest
 SHARED_CONST uint idIsOfColliders = 21u;   ///< triangles of colliders; else of the ground
-SHARED_CONST uint idTileList = 22u;        ///< tilesOfBlades …: see tile_classification.h
-SHARED_CONST uint idShowsBlades = 23u;     ///< the tiles may show blades
-SHARED_CONST uint idShowsSky = 24u;        ///< … and sky
-SHARED_CONST uint idHasShadingCache = 25u; ///< see shading_cache.glsl
-SHARED_CONST uint idLimitsLeafArea = 26u;  ///< see leafAreaLimitOf()
+SHARED_CONST uint idDrawsSunMap = 22u;     ///< else the picture
+SHARED_CONST uint idTileList = 23u;        ///< tilesOfBlades …: see tile_classification.h
+SHARED_CONST uint idShowsBlades = 24u;     ///< the tiles may show blades
+SHARED_CONST uint idShowsSky = 25u;        ///< … and sky
+SHARED_CONST uint idHasShadingCache = 26u; ///< see shading_cache.glsl
+SHARED_CONST uint idLimitsLeafArea = 27u;  ///< see leafAreaLimitOf()
 
 // Output modes.
 SHARED_CONST uint outputFilm = 0u;     ///< Sward's own film, for the viewer

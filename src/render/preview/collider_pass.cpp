@@ -1,6 +1,7 @@
 #include "render/preview/collider_pass.h"
 
 #include "render/shader_names.h"
+#include "shaders/shared/constants.h"
 #include "shaders/shared/passes.h"
 
 namespace sward::render {
@@ -9,9 +10,10 @@ ColliderPass::ColliderPass(const gpu::DeviceContext& context, const gpu::ShaderL
 {
     gpu::GraphicsPipelineSettings settings;
     settings.name = "colliders";
-    settings.vertexShader = shader::colliderVertex;
+    settings.vertexShader = shader::opaqueVertex;
     settings.fragmentShader = shader::colliderFragment;
-    settings.pushConstantBytes = sizeof(shared::ViewPush);
+    settings.pushConstantBytes = sizeof(shared::GroundPush);
+    settings.constants = {{.id = shared::idIsOfColliders, .value = 1u}};
     settings.colorFormats = {target.colorFormat};
     settings.depthFormat = depthFormat;
     settings.samples = target.samples;
@@ -24,7 +26,9 @@ void ColliderPass::record(const gpu::Recording& commands, VkDeviceAddress frame,
                           std::uint32_t count) const
 {
     pipeline_.bind(commands);
-    pipeline_.push(commands, shared::ViewPush{frame});
+    pipeline_.push(
+        commands, shared::GroundPush{
+                      .frame = frame, .vertices = 0, .materials = 0, .material = 0, .reserved = 0});
     commands.vk->CmdDraw(commands, 3 * shared::colliderTriangles, count, 0, 0);
 }
 

@@ -14,7 +14,7 @@ gpu::GraphicsPipeline createPipeline(const gpu::DeviceContext& context,
 {
     gpu::GraphicsPipelineSettings settings;
     settings.name = cullMode == VK_CULL_MODE_NONE ? "ground/two-sided" : "ground/one-sided";
-    settings.vertexShader = shader::groundVertex;
+    settings.vertexShader = shader::opaqueVertex;
     settings.fragmentShader = shader::groundFragment;
     settings.pushConstantBytes = sizeof(shared::GroundPush);
     settings.setLayouts = {imageLayout};

@@ -6,6 +6,7 @@
 #include "gpu/recording/rendering.h"
 #include "render/shader_names.h"
 #include "render/target_settings.h"
+#include "shaders/shared/constants.h"
 #include "shaders/shared/octahedral.h"
 #include "shaders/shared/passes.h"
 
@@ -104,7 +105,8 @@ SunShadowPass::SunShadowPass(const gpu::DeviceContext& context, const gpu::Shade
                   .usage = VK_BUFFER_USAGE_STORAGE_BUFFER_BIT | VK_BUFFER_USAGE_TRANSFER_DST_BIT});
     gpu::GraphicsPipelineSettings settings;
     settings.name = "sun shadow";
-    settings.vertexShader = shader::sunDepthVertex;
+    settings.vertexShader = shader::opaqueVertex;
+    settings.constants = {{.id = shared::idDrawsSunMap, .value = 1u}};
     settings.pushConstantBytes = sizeof(shared::GroundPush);
     settings.depthFormat = depthFormat;
     pipeline_ = gpu::GraphicsPipeline(context, shaders, settings);
@@ -139,8 +141,10 @@ void SunShadowPass::prepare(const gpu::ShaderLibrary& shaders)
                                                      VK_IMAGE_USAGE_TRANSFER_DST_BIT});
     gpu::GraphicsPipelineSettings settings;
     settings.name = "sun shadow/colliders";
-    settings.vertexShader = shader::colliderSunVertex;
-    settings.pushConstantBytes = sizeof(shared::ViewPush);
+    settings.vertexShader = shader::opaqueVertex;
+    settings.constants = {{.id = shared::idIsOfColliders, .value = 1u},
+                          {.id = shared::idDrawsSunMap, .value = 1u}};
+    settings.pushConstantBytes = sizeof(shared::GroundPush);
     settings.depthFormat = depthFormat;
     colliders_ = gpu::GraphicsPipeline(*context_, shaders, settings);
 }
@@ -188,7 +192,10 @@ void SunShadowPass::drawColliders(const gpu::Recording& commands, VkDeviceAddres
         const gpu::RenderingScope rendering(commands, map_.extent(), {}, depth);
         if (!changes_.colliders.empty()) {
             colliders_.bind(commands);
-            colliders_.push(commands, shared::ViewPush{frame});
+            colliders_.push(
+                commands,
+                shared::GroundPush{
+                    .frame = frame, .vertices = 0, .materials = 0, .material = 0, .reserved = 0});
         }
         for (const std::uint32_t i : changes_.colliders)
             commands.vk->CmdDraw(commands, 3 * shared::colliderTriangles, 1, 0, i);
