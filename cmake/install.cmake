@@ -50,7 +50,7 @@ set(doors
   core/diagnostics.h core/error.h core/progress.h
   field/delta.h field/field.h field/inspect.h field/read.h field/write.h
   terrain/load.h terrain/recipe.h
-  bake/bake.h bake/meadow.h bake/paint/stroke_file.h bake/report.h bake/session.h bake/settings.h
+  bake/bake.h bake/settings/meadow.h bake/settings/stroke_file.h bake/report.h bake/session/session.h bake/settings/settings.h
   gpu/context/check.h gpu/recording/commands.h gpu/context/context.h gpu/device/device_choice.h gpu/device/device_report.h
   gpu/device/features.h gpu/pipeline/graphics_pipeline.h gpu/context/host_device.h gpu/memory/image.h gpu/memory/image_use.h gpu/device/instance.h gpu/memory/readback.h gpu/recording/rendering.h
   render/camera_presets.h render/field_renderer.h render/grass.h render/look_settings.h

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "bake/report.h"
-#include "bake/settings.h"
+#include "bake/settings/settings.h"
 #include "core/diagnostics.h"
 #include "core/progress.h"
 #include "field/field.h"

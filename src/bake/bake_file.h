@@ -1,8 +1,8 @@
 #pragma once
 
-#include "bake/all_cells.h"
 #include "bake/report.h"
-#include "bake/settings.h"
+#include "bake/settings/settings.h"
+#include "bake/whole/all_cells.h"
 #include "core/diagnostics.h"
 #include "core/progress.h"
 #include "terrain/ground_mesh.h"

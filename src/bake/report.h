@@ -1,7 +1,7 @@
 #pragma once
 
-#include "bake/filter/ground_green.h"
-#include "bake/filter/soft_range.h"
+#include "bake/mask/ground_green.h"
+#include "bake/mask/soft_range.h"
 
 #include <glm/vec3.hpp>
 

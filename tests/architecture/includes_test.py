@@ -92,7 +92,7 @@ ONLY_IN = {
 INSIDE = {
     "gpu": "context recording memory pipeline device presentation",
     "render": "field streaming cull settings resolve raster tessellation preview",
-    "bake": "paint filter sample patches blades tiles",
+    "bake": "ground mask settings paint filter sample poisson patches blades plan tiles whole session",
     "terrain": "topology image heightmap gltf mesh_files procedural query",
     "sward_view": "paint interface panels window headless",
     "shaders": "common blade cull raster resolve tessellation preview bench",

@@ -1,6 +1,6 @@
 // An accepted mask is equal after writing and reading, and its image gives shares in [0, 1].
 
-#include "bake/filter/mask.h"
+#include "bake/mask/mask.h"
 
 #include "core/error.h"
 #include "core/expect.h"

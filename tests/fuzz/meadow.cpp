@@ -1,6 +1,6 @@
 // An accepted meadow is accepted again after writing.
 
-#include "bake/meadow.h"
+#include "bake/settings/meadow.h"
 
 #include "core/error.h"
 #include "core/expect.h"

@@ -1,7 +1,7 @@
 #include "fuzz/samples.h"
 
-#include "bake/meadow.h"
-#include "bake/paint/stroke_file.h"
+#include "bake/settings/meadow.h"
+#include "bake/settings/stroke_file.h"
 #include "bake/tiles/tile_files.h"
 #include "core/mapped_file.h"
 #include "field/delta.h"

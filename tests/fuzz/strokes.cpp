@@ -1,7 +1,7 @@
 // Accepted strokes are accepted again after writing, and paint numbers within their bounds.
 
 #include "bake/paint/painting.h"
-#include "bake/paint/stroke_file.h"
+#include "bake/settings/stroke_file.h"
 #include "core/error.h"
 #include "core/expect.h"
 #include "fuzz/entries.h"

@@ -10,7 +10,7 @@
 #include "apps/sward/subcommand.h"
 #include "bake/bake.h"
 #include "bake/bake_file.h"
-#include "bake/paint_mask.h"
+#include "bake/plan/paint_mask.h"
 #include "core/atomic_file.h"
 #include "core/error.h"
 #include "core/log.h"

@@ -1,9 +1,9 @@
 #include "apps/sward/bake_options.h"
 
 #include "apps/common/parse_text.h"
-#include "bake/baked_settings.h"
-#include "bake/paint/stroke_file.h"
-#include "bake/paint_mask.h"
+#include "bake/plan/paint_mask.h"
+#include "bake/settings/baked_settings.h"
+#include "bake/settings/stroke_file.h"
 #include "core/error.h"
 #include "core/log.h"
 

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "apps/common/log_switches.h"
-#include "bake/settings.h"
+#include "bake/settings/settings.h"
 #include "terrain/load.h"
 
 #include <cstdint>

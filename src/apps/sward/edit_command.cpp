@@ -8,7 +8,7 @@
 #include "apps/sward/line_input.h"
 #include "apps/sward/subcommand.h"
 #include "bake/patches/cell_tree.h"
-#include "bake/session.h"
+#include "bake/session/session.h"
 #include "bake/tiles/bake_tile.h"
 #include "core/error.h"
 #include "core/json_text.h"

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "bake/session.h"
+#include "bake/session/session.h"
 
 #include <glm/vec3.hpp>
 

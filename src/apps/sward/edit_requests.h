@@ -1,6 +1,6 @@
 #pragma once
 
-#include "bake/session.h"
+#include "bake/session/session.h"
 #include "core/diagnostics.h"
 #include "core/progress.h"
 #include "core/stopwatch.h"

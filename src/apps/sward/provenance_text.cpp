@@ -1,6 +1,6 @@
 #include "apps/sward/provenance_text.h"
 
-#include "bake/filter/soft_range.h"
+#include "bake/mask/soft_range.h"
 #include "core/json_text.h"
 
 #include <fmt/format.h>

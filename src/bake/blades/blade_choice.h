@@ -2,7 +2,7 @@
 
 #include "bake/blades/clumps.h"
 #include "bake/filter/root_filter.h"
-#include "bake/settings.h"
+#include "bake/settings/settings.h"
 
 #include <cstdint>
 #include <span>

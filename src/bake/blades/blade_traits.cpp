@@ -2,10 +2,10 @@
 
 #include "bake/blades/dice.h"
 #include "bake/blades/ground_color.h"
-#include "bake/drawn_colors.h"
+#include "bake/filter/up_vector.h"
+#include "bake/ground/drawn_colors.h"
+#include "bake/ground/tile_region.h"
 #include "bake/sample/triangle_points.h"
-#include "bake/tile_region.h"
-#include "bake/up_vector.h"
 #include "core/exact_math.h"
 #include "core/random.h"
 

@@ -1,6 +1,6 @@
 #include "bake/blades/clumps.h"
 
-#include "bake/up_vector.h"
+#include "bake/filter/up_vector.h"
 #include "core/bounds.h"
 #include "core/exact_math.h"
 #include "core/floor.h"

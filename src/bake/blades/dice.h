@@ -1,7 +1,7 @@
 #pragma once
 
 #include "bake/blades/clumps.h"
-#include "bake/root_sample.h"
+#include "bake/ground/root_sample.h"
 #include "core/random.h"
 #include "shaders/shared/blade.h"
 

@@ -1,6 +1,6 @@
 #include "bake/blades/ground_color.h"
 
-#include "bake/drawn_colors.h"
+#include "bake/ground/drawn_colors.h"
 #include "terrain/image/image_sampling.h"
 
 #include <glm/common.hpp>

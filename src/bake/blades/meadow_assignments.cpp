@@ -1,5 +1,5 @@
-#include "bake/meadow.h"
-#include "bake/meadow_json.h"
+#include "bake/settings/meadow.h"
+#include "bake/settings/meadow_json.h"
 #include "core/error.h"
 #include "core/json_text.h"
 #include "core/settings_json.h"

@@ -2,8 +2,8 @@
 
 #include "bake/filter/border_distance.h"
 #include "bake/filter/root_filter.h"
-#include "bake/root_sample.h"
-#include "bake/settings.h"
+#include "bake/ground/root_sample.h"
+#include "bake/settings/settings.h"
 #include "terrain/ground_mesh.h"
 #include "terrain/topology/surface_features.h"
 

@@ -1,7 +1,7 @@
 #pragma once
 
-#include "bake/filter/soft_range.h"
-#include "bake/settings.h"
+#include "bake/mask/soft_range.h"
+#include "bake/settings/settings.h"
 #include "terrain/ground_mesh.h"
 
 namespace sward::bake {

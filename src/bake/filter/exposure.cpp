@@ -1,6 +1,6 @@
 #include "bake/filter/exposure.h"
 
-#include "bake/up_vector.h"
+#include "bake/filter/up_vector.h"
 #include "core/exact_math.h"
 #include "core/random.h"
 #include "terrain/topology/triangle_geometry.h"

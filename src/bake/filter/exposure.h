@@ -1,7 +1,7 @@
 #pragma once
 
-#include "bake/root_sample.h"
-#include "bake/settings.h"
+#include "bake/ground/root_sample.h"
+#include "bake/settings/settings.h"
 #include "core/progress.h"
 #include "terrain/ground_mesh.h"
 #include "terrain/query/surface_query.h"

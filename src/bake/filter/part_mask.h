@@ -1,7 +1,7 @@
 #pragma once
 
-#include "bake/filter/mask.h"
 #include "bake/filter/site_range.h"
+#include "bake/mask/mask.h"
 
 namespace sward::bake {
 

@@ -1,6 +1,6 @@
 #include "bake/filter/plain_masks.h"
 
-#include "bake/filter/sample_places.h"
+#include "bake/mask/sample_places.h"
 
 #include <algorithm>
 

@@ -1,6 +1,6 @@
 #include "bake/filter/root_filter.h"
 
-#include "bake/up_vector.h"
+#include "bake/filter/up_vector.h"
 #include "core/error.h"
 #include "core/expect.h"
 #include "core/random.h"

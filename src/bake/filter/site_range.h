@@ -1,6 +1,6 @@
 #pragma once
 
-#include "bake/settings.h"
+#include "bake/settings/settings.h"
 #include "terrain/ground_mesh.h"
 #include "terrain/topology/surface_features.h"
 

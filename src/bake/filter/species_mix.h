@@ -1,7 +1,7 @@
 #pragma once
 
-#include "bake/filter/habitat.h"
-#include "bake/meadow.h"
+#include "bake/settings/habitat.h"
+#include "bake/settings/meadow.h"
 
 #include <array>
 #include <vector>

@@ -2,7 +2,7 @@
 
 #include "bake/filter/site_range.h"
 #include "bake/report.h"
-#include "bake/settings.h"
+#include "bake/settings/settings.h"
 #include "terrain/ground_mesh.h"
 #include "terrain/topology/surface_features.h"
 

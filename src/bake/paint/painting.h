@@ -1,8 +1,8 @@
 #pragma once
 
 #include "bake/paint/box_tree.h"
-#include "bake/paint/stroke.h"
 #include "bake/paint/stroke_grid.h"
+#include "bake/settings/stroke.h"
 #include "core/bounds.h"
 #include "shaders/shared/species.h"
 

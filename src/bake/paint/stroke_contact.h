@@ -1,7 +1,7 @@
 #pragma once
 
-#include "bake/paint/stroke.h"
-#include "bake/settings.h"
+#include "bake/settings/settings.h"
+#include "bake/settings/stroke.h"
 #include "core/diagnostics.h"
 #include "terrain/ground_mesh.h"
 

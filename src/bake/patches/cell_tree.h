@@ -1,9 +1,9 @@
 #pragma once
 
+#include "bake/ground/root_sample.h"
+#include "bake/ground/tile_region.h"
 #include "bake/patches/local_ranks.h"
 #include "bake/patches/patch_header.h"
-#include "bake/root_sample.h"
-#include "bake/tile_region.h"
 #include "core/progress.h"
 #include "core/uninitialized.h"
 #include "field/field.h"

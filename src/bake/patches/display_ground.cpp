@@ -1,6 +1,6 @@
 #include "bake/patches/display_ground.h"
 
-#include "bake/drawn_colors.h"
+#include "bake/ground/drawn_colors.h"
 
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>

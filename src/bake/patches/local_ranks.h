@@ -1,7 +1,7 @@
 #pragma once
 
-#include "bake/root_sample.h"
-#include "bake/tile_region.h"
+#include "bake/ground/root_sample.h"
+#include "bake/ground/tile_region.h"
 #include "core/progress.h"
 
 #include <glm/vec3.hpp>

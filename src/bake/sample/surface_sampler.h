@@ -1,10 +1,10 @@
 #pragma once
 
 #include "bake/filter/root_filter.h"
+#include "bake/ground/root_sample.h"
+#include "bake/ground/tile_region.h"
 #include "bake/report.h"
-#include "bake/root_sample.h"
-#include "bake/settings.h"
-#include "bake/tile_region.h"
+#include "bake/settings/settings.h"
 #include "core/progress.h"
 #include "terrain/ground_mesh.h"
 

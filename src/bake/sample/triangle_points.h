@@ -1,6 +1,6 @@
 #pragma once
 
-#include "bake/root_sample.h"
+#include "bake/ground/root_sample.h"
 #include "terrain/ground_mesh.h"
 
 #include <glm/vec3.hpp>

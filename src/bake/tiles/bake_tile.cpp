@@ -5,8 +5,8 @@
 #include "bake/filter/root_filter.h"
 #include "bake/patches/local_ranks.h"
 #include "bake/patches/spatial_order.h"
+#include "bake/poisson/poisson_region.h"
 #include "bake/sample/nearest_pair.h"
-#include "bake/sample/poisson_region.h"
 #include "bake/sample/progressive_order.h"
 #include "core/stopwatch.h"
 

@@ -1,11 +1,11 @@
 #pragma once
 
+#include "bake/ground/tile_region.h"
 #include "bake/patches/cell_tree.h"
-#include "bake/plan.h"
+#include "bake/plan/plan.h"
+#include "bake/plan/root_source.h"
 #include "bake/report.h"
-#include "bake/sample/root_source.h"
-#include "bake/settings.h"
-#include "bake/tile_region.h"
+#include "bake/settings/settings.h"
 #include "core/progress.h"
 #include "terrain/ground_mesh.h"
 #include "terrain/query/surface_query.h"

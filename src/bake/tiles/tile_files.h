@@ -1,7 +1,7 @@
 #pragma once
 
+#include "bake/ground/tile_region.h"
 #include "bake/report.h"
-#include "bake/tile_region.h"
 #include "bake/tiles/bake_tile.h"
 #include "bake/tiles/stored_cells.h"
 #include "terrain/ground_mesh.h"

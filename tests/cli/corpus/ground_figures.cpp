@@ -4,7 +4,7 @@
 // their tint from, linear), blades, tint (their mean), or error.
 
 #include "bake/bake.h"
-#include "bake/drawn_colors.h"
+#include "bake/ground/drawn_colors.h"
 #include "core/error.h"
 #include "core/json_text.h"
 #include "terrain/load.h"

@@ -3,7 +3,7 @@
 // the difference of two.
 
 #include "bake/bake.h"
-#include "bake/meadow.h"
+#include "bake/settings/meadow.h"
 #include "core/diagnostics.h"
 #include "core/progress.h"
 #include "likeness.h"

@@ -1,6 +1,6 @@
 // A host that bakes and paints in its own process: bake::Session's changes go to Grass::edit().
 
-#include "bake/session.h"
+#include "bake/session/session.h"
 #include "core/diagnostics.h"
 #include "core/progress.h"
 #include "gpu/recording/commands.h"

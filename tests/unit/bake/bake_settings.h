@@ -1,6 +1,6 @@
 #pragma once
 
-#include "bake/settings.h"
+#include "bake/settings/settings.h"
 
 namespace sward::tests {
 

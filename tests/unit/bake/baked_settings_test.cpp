@@ -1,4 +1,4 @@
-#include "bake/baked_settings.h"
+#include "bake/settings/baked_settings.h"
 #include "core/error.h"
 #include "unit/bake/bake_settings.h"
 #include "unit/bake/strokes.h"

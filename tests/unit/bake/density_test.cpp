@@ -1,5 +1,5 @@
-#include "bake/sample/poisson_region.h"
-#include "bake/sample/root_source.h"
+#include "bake/plan/root_source.h"
+#include "bake/poisson/poisson_region.h"
 #include "core/exact_math.h"
 #include "support/meshes.h"
 #include "unit/bake/bake_settings.h"

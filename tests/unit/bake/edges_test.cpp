@@ -1,7 +1,7 @@
 // Where grass ends, and in tufts: at the foot of what stands there, beside paths, outward.
 #include "bake/bake.h"
 #include "bake/blades/blade_traits.h"
-#include "bake/whole_plan.h"
+#include "bake/whole/whole_plan.h"
 #include "field/field.h"
 #include "shaders/shared/physics.h"
 #include "support/meshes.h"

@@ -1,5 +1,5 @@
-#include "bake/filter/ground_green.h"
 #include "bake/filter/root_filter.h"
+#include "bake/mask/ground_green.h"
 #include "core/error.h"
 #include "support/meshes.h"
 #include "terrain/heightmap/heightfield.h"

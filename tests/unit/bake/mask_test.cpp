@@ -1,4 +1,4 @@
-#include "bake/filter/mask.h"
+#include "bake/mask/mask.h"
 #include "core/error.h"
 #include "support/meshes.h"
 #include "terrain/heightmap/heightfield.h"

@@ -1,4 +1,4 @@
-#include "bake/meadow.h"
+#include "bake/settings/meadow.h"
 #include "core/error.h"
 
 #include <gtest/gtest.h>

@@ -1,6 +1,6 @@
-#include "bake/filter/sample_places.h"
+#include "bake/mask/sample_places.h"
 #include "bake/paint/painting.h"
-#include "bake/paint_mask.h"
+#include "bake/plan/paint_mask.h"
 #include "bake/sample/triangle_points.h"
 #include "core/error.h"
 #include "support/meshes.h"

@@ -4,7 +4,7 @@
 #include "bake/patches/patch_tree.h"
 #include "bake/sample/progressive_order.h"
 #include "bake/tiles/bake_tile.h"
-#include "bake/whole_plan.h"
+#include "bake/whole/whole_plan.h"
 #include "support/meshes.h"
 #include "unit/bake/bake_settings.h"
 #include "unit/bake/strokes.h"

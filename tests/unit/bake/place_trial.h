@@ -1,7 +1,7 @@
 #pragma once
 
 #include "bake/filter/root_filter.h"
-#include "bake/settings.h"
+#include "bake/settings/settings.h"
 #include "terrain/ground_mesh.h"
 #include "terrain/query/surface_query.h"
 #include "terrain/topology/surface_features.h"

@@ -1,5 +1,5 @@
-#include "bake/plan.h"
-#include "bake/sward_cover.h"
+#include "bake/plan/plan.h"
+#include "bake/plan/sward_cover.h"
 #include "core/error.h"
 #include "unit/bake/bake_settings.h"
 

@@ -1,6 +1,6 @@
 // Compound plants, from a meadow to the field.
 #include "bake/bake.h"
-#include "bake/meadow.h"
+#include "bake/settings/meadow.h"
 #include "core/error.h"
 #include "field/verify.h"
 #include "shaders/shared/visibility.h"

@@ -1,5 +1,5 @@
 #include "bake/bake.h"
-#include "bake/sample/poisson_region.h"
+#include "bake/poisson/poisson_region.h"
 #include "field/inspect.h"
 #include "field/verify.h"
 #include "shaders/shared/blade.h"

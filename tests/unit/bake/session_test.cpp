@@ -1,6 +1,6 @@
 #include "bake/patches/patch_tree.h"
-#include "bake/session.h"
-#include "bake/whole_bake.h"
+#include "bake/session/session.h"
+#include "bake/whole/whole_bake.h"
 #include "core/error.h"
 #include "core/random.h"
 #include "support/meshes.h"

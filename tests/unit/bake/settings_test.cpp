@@ -1,4 +1,4 @@
-#include "bake/settings.h"
+#include "bake/settings/settings.h"
 #include "core/error.h"
 
 #include <gtest/gtest.h>

@@ -1,6 +1,6 @@
 #include "bake/blades/blade_traits.h"
 #include "bake/blades/slow_waves.h"
-#include "bake/sward_cover.h"
+#include "bake/plan/sward_cover.h"
 #include "core/random.h"
 #include "core/wide_registers.h"
 #include "shaders/shared/noise.h"

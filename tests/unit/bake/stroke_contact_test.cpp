@@ -1,6 +1,6 @@
 #include "bake/paint/stroke_contact.h"
 #include "bake/paint/stroke_move.h"
-#include "bake/session.h"
+#include "bake/session/session.h"
 #include "support/meshes.h"
 #include "unit/bake/bake_settings.h"
 #include "unit/bake/strokes.h"

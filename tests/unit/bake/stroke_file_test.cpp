@@ -1,4 +1,4 @@
-#include "bake/paint/stroke_file.h"
+#include "bake/settings/stroke_file.h"
 #include "core/error.h"
 #include "unit/bake/strokes.h"
 

@@ -1,6 +1,6 @@
 #include "unit/bake/strokes.h"
 
-#include "bake/whole_plan.h"
+#include "bake/whole/whole_plan.h"
 
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>

@@ -1,9 +1,9 @@
 #pragma once
 
 #include "bake/bake.h"
-#include "bake/paint/stroke.h"
-#include "bake/sample/root_source.h"
-#include "bake/settings.h"
+#include "bake/plan/root_source.h"
+#include "bake/settings/settings.h"
+#include "bake/settings/stroke.h"
 #include "terrain/ground_mesh.h"
 
 #include <glm/vec3.hpp>

@@ -1,6 +1,6 @@
 #include "bake/patches/patch_tree.h"
 #include "bake/tiles/bake_tile.h"
-#include "bake/whole_plan.h"
+#include "bake/whole/whole_plan.h"
 #include "support/meshes.h"
 #include "terrain/heightmap/heightfield.h"
 #include "unit/bake/bake_settings.h"

@@ -1,4 +1,4 @@
-#include "bake/up_vector.h"
+#include "bake/filter/up_vector.h"
 
 #include <glm/geometric.hpp>
 #include <gtest/gtest.h>

@@ -1,6 +1,6 @@
 #include "bake/filter/plain_masks.h"
-#include "bake/report_totals.h"
-#include "bake/warnings.h"
+#include "bake/whole/report_totals.h"
+#include "bake/whole/warnings.h"
 #include "support/meshes.h"
 #include "unit/bake/bake_settings.h"
 #include "unit/bake/place_trial.h"
