@@ -94,8 +94,8 @@ INSIDE = {
     "render": "field streaming cull settings resolve raster tessellation preview",
     "bake": "ground mask settings paint filter sample poisson patches blades plan tiles whole session",
     "terrain": "topology image heightmap gltf mesh_files procedural query",
-    "sward_view": "paint interface panels window headless",
     "shaders": "common blade cull raster resolve tessellation preview bench",
+    "sward_view": "files picture scene fields paint interface navigation panels window headless",
 }
 
 # Libraries whose sources all lie in folders.

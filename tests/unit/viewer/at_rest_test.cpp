@@ -1,5 +1,5 @@
-#include "apps/sward_view/at_rest.h"
-#include "apps/sward_view/refined_picture.h"
+#include "apps/sward_view/picture/at_rest.h"
+#include "apps/sward_view/picture/refined_picture.h"
 
 #include <gtest/gtest.h>
 

@@ -1,6 +1,6 @@
 #include "apps/common/progress_bar.h"
-#include "apps/sward_view/baking.h"
-#include "apps/sward_view/meadow_requests.h"
+#include "apps/sward_view/fields/baking.h"
+#include "apps/sward_view/fields/meadow_requests.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

@@ -1,4 +1,4 @@
-#include "apps/sward_view/window/bookmarks.h"
+#include "apps/sward_view/navigation/bookmarks.h"
 #include "core/error.h"
 
 #include <gtest/gtest.h>

@@ -1,4 +1,4 @@
-#include "apps/sward_view/camera_path.h"
+#include "apps/sward_view/scene/camera_path.h"
 #include "core/atomic_file.h"
 #include "core/error.h"
 

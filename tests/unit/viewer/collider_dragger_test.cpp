@@ -1,4 +1,4 @@
-#include "apps/sward_view/window/collider_dragger.h"
+#include "apps/sward_view/navigation/collider_dragger.h"
 #include "support/fields/fields.h"
 
 #include <glm/geometric.hpp>

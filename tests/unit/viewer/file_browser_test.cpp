@@ -1,5 +1,5 @@
 #include "apps/common/temporary_folder.h"
-#include "apps/sward_view/file_browser.h"
+#include "apps/sward_view/files/file_browser.h"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "apps/sward_view/frame_names.h"
+#include "apps/sward_view/files/frame_names.h"
 #include "core/error.h"
 
 #include <gtest/gtest.h>

@@ -1,5 +1,5 @@
-#include "apps/sward_view/window/framing.h"
-#include "apps/sward_view/window/orbit.h"
+#include "apps/sward_view/navigation/framing.h"
+#include "apps/sward_view/navigation/orbit.h"
 #include "render/camera_presets.h"
 #include "shaders/shared/blade.h"
 #include "support/fields/fields.h"

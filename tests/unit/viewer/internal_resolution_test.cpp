@@ -1,4 +1,4 @@
-#include "apps/sward_view/internal_resolution.h"
+#include "apps/sward_view/picture/internal_resolution.h"
 
 #include <gtest/gtest.h>
 

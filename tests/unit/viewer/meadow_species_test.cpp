@@ -1,6 +1,6 @@
 #include "apps/common/temporary_folder.h"
-#include "apps/sward_view/meadow_requests.h"
-#include "apps/sward_view/meadow_species.h"
+#include "apps/sward_view/fields/meadow_requests.h"
+#include "apps/sward_view/fields/meadow_species.h"
 #include "core/error.h"
 
 #include <gtest/gtest.h>

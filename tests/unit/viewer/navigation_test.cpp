@@ -1,4 +1,4 @@
-#include "apps/sward_view/window/navigation.h"
+#include "apps/sward_view/navigation/navigation.h"
 #include "support/fields/fields.h"
 
 #include <glm/geometric.hpp>

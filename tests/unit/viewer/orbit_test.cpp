@@ -1,4 +1,4 @@
-#include "apps/sward_view/window/orbit.h"
+#include "apps/sward_view/navigation/orbit.h"
 
 #include <glm/geometric.hpp>
 #include <gtest/gtest.h>

@@ -1,4 +1,4 @@
-#include "apps/sward_view/picture_mean.h"
+#include "apps/sward_view/picture/picture_mean.h"
 
 #include <gtest/gtest.h>
 

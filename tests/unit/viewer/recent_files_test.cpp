@@ -1,4 +1,4 @@
-#include "apps/sward_view/window/recent_files.h"
+#include "apps/sward_view/files/recent_files.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

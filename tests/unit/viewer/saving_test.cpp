@@ -1,5 +1,5 @@
-#include "apps/sward_view/shown_field.h"
-#include "apps/sward_view/window/free_name.h"
+#include "apps/sward_view/fields/shown_field.h"
+#include "apps/sward_view/files/free_name.h"
 #include "core/error.h"
 #include "core/mapped_file.h"
 #include "field/write.h"

@@ -1,4 +1,4 @@
-#include "apps/sward_view/time_of_day.h"
+#include "apps/sward_view/scene/time_of_day.h"
 #include "render/frame_settings.h"
 
 #include <gtest/gtest.h>

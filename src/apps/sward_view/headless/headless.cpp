@@ -2,9 +2,9 @@
 
 #include "apps/common/field_input.h"
 #include "apps/common/interrupt.h"
-#include "apps/sward_view/camera_file.h"
 #include "apps/sward_view/graphics.h"
-#include "apps/sward_view/picture_mean.h"
+#include "apps/sward_view/picture/picture_mean.h"
+#include "apps/sward_view/scene/camera_file.h"
 #include "gpu/memory/image_use.h"
 #include "gpu/memory/readback.h"
 #include "render/frame_time.h"

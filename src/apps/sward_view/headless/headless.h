@@ -1,10 +1,10 @@
 #pragma once
 
-#include "apps/sward_view/camera_path.h"
-#include "apps/sward_view/field_group.h"
-#include "apps/sward_view/frame_options.h"
+#include "apps/sward_view/fields/field_group.h"
 #include "apps/sward_view/headless/stats_json.h"
-#include "apps/sward_view/png.h"
+#include "apps/sward_view/picture/png.h"
+#include "apps/sward_view/scene/camera_path.h"
+#include "apps/sward_view/scene/frame_options.h"
 #include "field/read.h"
 #include "gpu/device/device.h"
 #include "gpu/device/instance.h"

@@ -2,7 +2,7 @@
 #include "apps/common/parse_text.h"
 #include "apps/common/progress_bar.h"
 #include "apps/sward_view/commands.h"
-#include "apps/sward_view/frame_names.h"
+#include "apps/sward_view/files/frame_names.h"
 #include "apps/sward_view/graphics.h"
 #include "apps/sward_view/headless/blade_csv.h"
 #include "apps/sward_view/headless/headless.h"

@@ -1,7 +1,7 @@
 #pragma once
 
-#include "apps/sward_view/baking.h"
-#include "apps/sward_view/headless/scene.h"
+#include "apps/sward_view/fields/baking.h"
+#include "apps/sward_view/scene/scene.h"
 
 #include <filesystem>
 #include <memory>

@@ -1,7 +1,7 @@
 #pragma once
 
+#include "apps/sward_view/fields/meadow_species.h"
 #include "apps/sward_view/interface/style.h"
-#include "apps/sward_view/meadow_species.h"
 
 #include <span>
 

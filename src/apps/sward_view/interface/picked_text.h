@@ -1,6 +1,6 @@
 #pragma once
 
-#include "apps/sward_view/picking.h"
+#include "apps/sward_view/fields/picking.h"
 #include "render/frame_settings.h"
 
 #include <string>

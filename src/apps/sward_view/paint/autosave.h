@@ -1,6 +1,6 @@
 #pragma once
 
-#include "apps/sward_view/file_lock.h"
+#include "apps/sward_view/files/file_lock.h"
 
 #include <cstddef>
 #include <filesystem>

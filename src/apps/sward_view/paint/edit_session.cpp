@@ -1,6 +1,6 @@
 #include "apps/sward_view/paint/edit_session.h"
 
-#include "apps/sward_view/child_process.h"
+#include "apps/sward_view/files/child_process.h"
 #include "core/error.h"
 #include "core/json_text.h"
 #include "core/log.h"

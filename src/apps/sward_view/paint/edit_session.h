@@ -1,6 +1,6 @@
 #pragma once
 
-#include "apps/sward_view/baking.h"
+#include "apps/sward_view/fields/baking.h"
 
 #include <sys/types.h>
 

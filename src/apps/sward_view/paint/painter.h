@@ -1,11 +1,11 @@
 #pragma once
 
 #include "apps/common/temporary_folder.h"
+#include "apps/sward_view/fields/picking.h"
 #include "apps/sward_view/paint/autosave_writer.h"
 #include "apps/sward_view/paint/edit_session.h"
 #include "apps/sward_view/paint/lost_strokes.h"
 #include "apps/sward_view/paint/stroke_list.h"
-#include "apps/sward_view/picking.h"
 
 #include <cstdint>
 #include <filesystem>

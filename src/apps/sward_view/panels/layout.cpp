@@ -1,9 +1,9 @@
 #include "apps/sward_view/panels/layout.h"
 
-#include "apps/sward_view/at_rest.h"
 #include "apps/sward_view/interface/picked_text.h"
 #include "apps/sward_view/interface/units.h"
 #include "apps/sward_view/panels/panels.h"
+#include "apps/sward_view/picture/at_rest.h"
 
 #include <fmt/core.h>
 

@@ -1,5 +1,5 @@
 #include "apps/sward_view/panels/panels.h"
-#include "apps/sward_view/time_of_day.h"
+#include "apps/sward_view/scene/time_of_day.h"
 #include "render/look_settings.h"
 
 #include <cmath>

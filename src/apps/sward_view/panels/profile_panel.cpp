@@ -1,6 +1,6 @@
 #include "apps/sward_view/interface/units.h"
-#include "apps/sward_view/internal_resolution.h"
 #include "apps/sward_view/panels/panels.h"
+#include "apps/sward_view/picture/internal_resolution.h"
 
 #include <fmt/core.h>
 

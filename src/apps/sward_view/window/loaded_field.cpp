@@ -1,6 +1,6 @@
 #include "apps/sward_view/window/loaded_field.h"
 
-#include "apps/sward_view/camera_file.h"
+#include "apps/sward_view/scene/camera_file.h"
 #include "render/camera_presets.h"
 
 #include <glm/common.hpp>

@@ -1,8 +1,8 @@
 #pragma once
 
-#include "apps/sward_view/shader_sources.h"
-#include "apps/sward_view/shown_field.h"
-#include "apps/sward_view/window/navigation.h"
+#include "apps/sward_view/fields/shown_field.h"
+#include "apps/sward_view/files/shader_sources.h"
+#include "apps/sward_view/navigation/navigation.h"
 #include "gpu/device/device.h"
 #include "render/field_renderer.h"
 #include "render/frame_settings.h"

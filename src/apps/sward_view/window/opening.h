@@ -1,8 +1,8 @@
 #pragma once
 
-#include "apps/sward_view/baking.h"
-#include "apps/sward_view/meadow_requests.h"
-#include "apps/sward_view/shown_field.h"
+#include "apps/sward_view/fields/baking.h"
+#include "apps/sward_view/fields/meadow_requests.h"
+#include "apps/sward_view/fields/shown_field.h"
 
 #include <cstddef>
 #include <memory>

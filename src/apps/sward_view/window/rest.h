@@ -1,7 +1,7 @@
 #pragma once
 
-#include "apps/sward_view/at_rest.h"
-#include "apps/sward_view/refined_picture.h"
+#include "apps/sward_view/picture/at_rest.h"
+#include "apps/sward_view/picture/refined_picture.h"
 #include "render/camera.h"
 
 #include <glm/vec2.hpp>

@@ -1,6 +1,6 @@
 // Which fields are shown: opened, baked, added, taken away, watched.
-#include "apps/sward_view/camera_file.h"
-#include "apps/sward_view/window/free_name.h"
+#include "apps/sward_view/files/free_name.h"
+#include "apps/sward_view/scene/camera_file.h"
 #include "apps/sward_view/window/viewer.h"
 #include "core/error.h"
 #include "core/log.h"

@@ -1,5 +1,5 @@
 // Handles mouse and keys.
-#include "apps/sward_view/camera_file.h"
+#include "apps/sward_view/scene/camera_file.h"
 #include "apps/sward_view/window/viewer.h"
 #include "core/error.h"
 #include "render/camera_presets.h"

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "apps/sward_view/frame_options.h"
+#include "apps/sward_view/scene/frame_options.h"
 
 #include <optional>
 #include <string>

@@ -1,9 +1,9 @@
 // The brush: strokes on the ground, and the session that bakes them.
-#include "apps/sward_view/child_process.h"
+#include "apps/sward_view/files/child_process.h"
+#include "apps/sward_view/files/free_name.h"
+#include "apps/sward_view/files/state_file.h"
 #include "apps/sward_view/paint/ring.h"
 #include "apps/sward_view/panels/panels.h"
-#include "apps/sward_view/window/free_name.h"
-#include "apps/sward_view/window/state_file.h"
 #include "apps/sward_view/window/viewer.h"
 #include "core/error.h"
 #include "field/delta.h"

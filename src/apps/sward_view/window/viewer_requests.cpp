@@ -1,7 +1,7 @@
 // Fulfils requests of the panels and other work that takes longer than a frame.
-#include "apps/sward_view/camera_file.h"
-#include "apps/sward_view/window/free_name.h"
-#include "apps/sward_view/window/new_collider.h"
+#include "apps/sward_view/files/free_name.h"
+#include "apps/sward_view/navigation/new_collider.h"
+#include "apps/sward_view/scene/camera_file.h"
 #include "apps/sward_view/window/viewer.h"
 #include "core/atomic_file.h"
 #include "core/error.h"

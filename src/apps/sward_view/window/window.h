@@ -1,6 +1,6 @@
 #pragma once
 
-#include "apps/sward_view/window/input.h"
+#include "apps/sward_view/navigation/input.h"
 #include "gpu/context/handle.h"
 
 #include <glm/vec2.hpp>

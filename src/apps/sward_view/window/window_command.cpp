@@ -1,6 +1,6 @@
 #include "apps/common/parse_text.h"
-#include "apps/sward_view/baking.h"
 #include "apps/sward_view/commands.h"
+#include "apps/sward_view/fields/baking.h"
 #include "apps/sward_view/graphics.h"
 #include "apps/sward_view/window/viewer.h"
 #include "core/error.h"

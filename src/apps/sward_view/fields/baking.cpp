@@ -1,0 +1,189 @@
+#include "apps/sward_view/fields/baking.h"
+
+#include "apps/common/field_input.h"
+#include "apps/sward_view/files/child_process.h"
+#include "core/error.h"
+#include "core/log.h"
+
+#include <fcntl.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <array>
+#include <cerrno>
+#include <csignal>
+#include <cstdlib>
+#include <cstring>
+
+namespace sward::view {
+namespace {
+
+constexpr std::size_t linesKept = 40; ///< of its output
+constexpr int runtimeCode = static_cast<int>(ErrorKind::runtime);
+
+} // namespace
+
+bool wantsBaking(const std::string& input)
+{
+    return apps::namesGround(input);
+}
+
+std::optional<BakeProgress> parseProgress(std::string_view line)
+{
+    const std::size_t open = line.find("  [");
+    const std::size_t close = line.rfind("] ");
+    const std::size_t percent = line.rfind(" %");
+    if (open == std::string_view::npos || close == std::string_view::npos ||
+        percent == std::string_view::npos || close < open || percent < close)
+        return std::nullopt;
+    BakeProgress progress;
+    progress.state = line.substr(0, open);
+    progress.state.erase(progress.state.find_last_not_of(' ') + 1);
+    progress.share = std::atof(std::string(line.substr(close + 2, percent - close - 2)).c_str());
+    progress.share = std::clamp(progress.share / 100.0, 0.0, 1.0);
+    return progress;
+}
+
+Baking::Baking(std::vector<std::string> arguments)
+{
+    try {
+        std::vector<std::string> all{swardProgram("it bakes a mesh before it is shown").string(),
+                                     "bake"};
+        all.insert(all.end(), arguments.begin(), arguments.end());
+        for (const std::string& argument :
+             {std::string("-o"), field().string(), std::string("--report"), report().string(),
+              std::string("--progress"), std::string("always")})
+            all.push_back(argument);
+        std::array<int, 2> ends{};
+        if (::pipe2(ends.data(), O_CLOEXEC) != 0)
+            fail(ErrorKind::runtime, "cannot make a pipe: {}", std::strerror(errno));
+        said_ = ends[0];
+        ::fcntl(said_, F_SETFL, O_NONBLOCK);
+        try {
+            child_ = startChild(std::move(all), ends[1]);
+        } catch (...) {
+            ::close(ends[1]);
+            throw;
+        }
+        ::close(ends[1]);
+    } catch (...) {
+        if (said_ >= 0)
+            ::close(said_);
+        throw;
+    }
+}
+
+Baking::~Baking()
+{
+    if (child_ > 0 && !status_) {
+        ::kill(child_, SIGKILL);
+        int status = 0;
+        while (::waitpid(child_, &status, 0) < 0 && errno == EINTR)
+            continue;
+    }
+    if (said_ >= 0)
+        ::close(said_);
+}
+
+bool Baking::poll()
+{
+    if (status_)
+        return true;
+    std::array<char, 4096> buffer;
+    for (;;) {
+        const ssize_t count = ::read(said_, buffer.data(), buffer.size());
+        if (count <= 0)
+            break;
+        takeIn({buffer.data(), static_cast<std::size_t>(count)});
+    }
+    int status = 0;
+    if (::waitpid(child_, &status, WNOHANG) != child_)
+        return false;
+    // Read the output since the last poll.
+    for (;;) {
+        const ssize_t count = ::read(said_, buffer.data(), buffer.size());
+        if (count <= 0)
+            break;
+        takeIn({buffer.data(), static_cast<std::size_t>(count)});
+    }
+    takeIn("\n");
+    status_ = status;
+    return true;
+}
+
+void Baking::cancel()
+{
+    if (child_ > 0 && !status_) {
+        cancelled_ = true;
+        ::kill(child_, SIGTERM);
+    }
+}
+
+void Baking::takeIn(std::string_view text)
+{
+    for (const char c : text) {
+        if (c != '\n' && c != '\r') {
+            unfinished_ += c;
+            continue;
+        }
+        takeLine(plainLine(unfinished_));
+        unfinished_.clear();
+    }
+    // The next bar ends the line of a bar; show the current one now.
+    if (const auto progress = parseProgress(plainLine(unfinished_)))
+        progress_ = *progress;
+}
+
+void Baking::takeLine(std::string line)
+{
+    if (line.empty())
+        return;
+    if (const auto progress = parseProgress(line)) {
+        progress_ = *progress;
+        return;
+    }
+    log::info("sward: {}", line);
+    lines_.push_back(std::move(line));
+    if (lines_.size() > linesKept)
+        lines_.erase(lines_.begin());
+}
+
+bool Baking::succeeded() const
+{
+    return status_ && WIFEXITED(*status_) && WEXITSTATUS(*status_) == 0;
+}
+
+int Baking::exitCode() const
+{
+    if (!status_ || !WIFEXITED(*status_))
+        return runtimeCode;
+    return WEXITSTATUS(*status_);
+}
+
+ErrorKind Baking::errorKind() const
+{
+    if (cancelled_)
+        return ErrorKind::interrupted;
+    constexpr std::array known{ErrorKind::usage, ErrorKind::io, ErrorKind::input,
+                               ErrorKind::unsupported, ErrorKind::interrupted};
+    const auto* const found = std::find_if(known.begin(), known.end(), [this](ErrorKind kind) {
+        return static_cast<int>(kind) == exitCode();
+    });
+    return found == known.end() ? ErrorKind::runtime : *found;
+}
+
+std::string Baking::complaint() const
+{
+    if (cancelled_)
+        return "the bake was cancelled";
+    if (status_ && WIFSIGNALED(*status_))
+        return "the bake was ended by signal " + std::to_string(WTERMSIG(*status_)) + " (" +
+               ::strsignal(WTERMSIG(*status_)) + ")";
+    for (auto line = lines_.rbegin(); line != lines_.rend(); ++line)
+        if (line->starts_with("error: "))
+            return line->substr(7);
+    return lines_.empty() ? "the bake gave no reason" : lines_.back();
+}
+
+} // namespace sward::view

@@ -1,0 +1,60 @@
+#include "apps/sward_view/files/state_file.h"
+
+#include "apps/sward_view/files/file_lock.h"
+#include "core/atomic_file.h"
+#include "core/mapped_file.h"
+
+#include <chrono>
+#include <cstdlib>
+#include <vector>
+
+namespace sward::view {
+namespace {
+
+constexpr std::size_t largestState = std::size_t(8) << 20; ///< [bytes]
+constexpr std::chrono::milliseconds statePatience{1000};   ///< with a window that changes it
+
+std::filesystem::path stateFolder()
+{
+    const char* state = std::getenv("XDG_STATE_HOME");
+    if (state != nullptr && *state == '/')
+        return state;
+    const char* home = std::getenv("HOME");
+    return home != nullptr && *home == '/' ? std::filesystem::path(home) / ".local" / "state"
+                                           : std::filesystem::path();
+}
+
+} // namespace
+
+std::filesystem::path stateFile(const std::string& name)
+{
+    const std::filesystem::path folder = stateFolder();
+    return folder.empty() ? folder : folder / "sward" / name;
+}
+
+std::string readState(const std::filesystem::path& file)
+{
+    std::error_code error;
+    if (!std::filesystem::exists(file, error) && !error)
+        return {};
+    const std::vector<std::byte> bytes = readFile(file, largestState);
+    return {reinterpret_cast<const char*>(bytes.data()), bytes.size()};
+}
+
+void changeState(const std::filesystem::path& file,
+                 const std::function<std::string(const std::string&)>& change)
+{
+    std::error_code ignored;
+    std::filesystem::create_directories(file.parent_path(), ignored);
+    const FileLock lock = FileLock::take(lockNameFor(file), statePatience);
+    writeTextFile(file, change(readState(file)), true);
+}
+
+std::string stateNameOf(const std::string& input)
+{
+    std::error_code error;
+    return std::filesystem::exists(input, error) ? std::filesystem::absolute(input, error).string()
+                                                 : input;
+}
+
+} // namespace sward::view

@@ -1,0 +1,73 @@
+#include "apps/sward_view/scene/time_of_day.h"
+
+#include "render/frame_settings.h"
+
+#include <glm/common.hpp>
+#include <glm/trigonometric.hpp>
+
+#include <algorithm>
+#include <cmath>
+
+namespace sward::view {
+namespace {
+
+constexpr double latitude = 50.0;    ///< [degrees]
+constexpr double declination = 18.0; ///< [degrees] of the sun, in May and July
+constexpr double darkest = 0.04;     ///< share of the sky's light at night …
+constexpr double atHorizon = 0.3;    ///< … and at sunrise: more than in nature, as eyes adapt
+
+constexpr double twilightFold = 6.0; ///< [degrees] below the horizon in which it falls e times
+
+} // namespace
+
+render::SunPlace sunAt(double hour)
+{
+    const double turn = glm::radians(15.0 * (hour - 12.0));
+    const double north = glm::radians(latitude);
+    const double tilt = glm::radians(declination);
+    const double rise =
+        std::sin(north) * std::sin(tilt) + std::cos(north) * std::cos(tilt) * std::cos(turn);
+    const double azimuth = std::atan2(std::sin(turn), std::cos(turn) * std::sin(north) -
+                                                          std::tan(tilt) * std::cos(north));
+    return {std::remainder(glm::degrees(azimuth) + 180.0, 360.0),
+            glm::degrees(std::asin(std::clamp(rise, -1.0, 1.0)))};
+}
+
+double hourOf(double elevation, double near)
+{
+    // The inverse of sunAt(): the same elevation before and after noon.
+    const double north = glm::radians(latitude);
+    const double tilt = glm::radians(declination);
+    const double turn = (std::sin(glm::radians(elevation)) - std::sin(north) * std::sin(tilt)) /
+                        (std::cos(north) * std::cos(tilt));
+    const double fromNoon = glm::degrees(std::acos(std::clamp(turn, -1.0, 1.0))) / 15.0;
+    return near < 12.0 ? 12.0 - fromNoon : 12.0 + fromNoon;
+}
+
+double skyShareAt(double elevation)
+{
+    const double usual = render::sunPlaceOf(render::FrameSettings().sunDirection).elevation;
+    if (elevation >= usual)
+        return 1.0;
+    if (elevation >= 0.0)
+        return atHorizon + (1.0 - atHorizon) * elevation / usual;
+    return std::max(atHorizon * std::exp(elevation / twilightFold), darkest);
+}
+
+void setTimeOfDay(render::FrameSettings& settings, double before, double hour)
+{
+    const render::SunPlace sun = render::sunPlaceOf(settings.sunDirection);
+    const render::SunPlace now = sunAt(hour);
+    settings.sunDirection =
+        render::sunTowards(sun.azimuth + now.azimuth - sunAt(before).azimuth, now.elevation);
+    settings.sunColor = now.elevation > 0.0 ? render::sunColorAt(now.elevation) : glm::vec3(0.0f);
+    const render::FrameSettings usual;
+    const double share = skyShareAt(now.elevation);
+    // Near the horizon less blue is left.
+    const auto low = static_cast<float>(std::clamp(1.0 - std::abs(now.elevation) / 12.0, 0.0, 1.0));
+    const glm::vec3 tint = glm::mix(glm::vec3(1.0f), glm::vec3(1.25f, 0.95f, 0.8f), low);
+    settings.skyColor = usual.skyColor * tint * static_cast<float>(share);
+    settings.groundColor = usual.groundColor * static_cast<float>(share);
+}
+
+} // namespace sward::view
