@@ -43,7 +43,7 @@ function(sward_install_component name)
 endfunction()
 sward_install_component(Field sward_core sward_shared sward_field sward_c_field)
 sward_install_component(Bake sward_assets sward_terrain sward_stb sward_bake)
-sward_install_component(Render sward_gpu sward_render sward_c)
+sward_install_component(Render sward_gpu sward_render sward_presentation sward_c)
 
 # Headers: the doors, and whatever they include.
 set(doors
@@ -53,8 +53,8 @@ set(doors
   bake/bake.h bake/settings/meadow.h bake/settings/stroke_file.h bake/report.h bake/session/session.h bake/settings/settings.h
   gpu/context/check.h gpu/recording/commands.h gpu/context/context.h gpu/device/device_choice.h gpu/device/device_report.h
   gpu/device/features.h gpu/pipeline/graphics_pipeline.h gpu/context/host_device.h gpu/memory/image.h gpu/memory/image_use.h gpu/device/instance.h gpu/memory/readback.h gpu/recording/rendering.h
-  render/camera_presets.h render/field_renderer.h render/grass.h render/look_settings.h
-  render/settings_file.h c/sward.h)
+  presentation/camera_presets.h render/field_renderer.h render/grass.h presentation/look_settings.h
+  presentation/settings_file.h c/sward.h)
 install(CODE "set(SWARD_DOORS \"${doors}\")
 set(SWARD_SOURCE_DIR \"${CMAKE_SOURCE_DIR}\")
 set(SWARD_INCLUDE_DIR \"${CMAKE_INSTALL_INCLUDEDIR}\")" COMPONENT development)
@@ -89,4 +89,4 @@ sward_install_pc(bake "Grows grass on any ground"
   "sward-field tbb OpenEXR libpng tinygltf"
   "-lsward_bake -lsward_terrain -lsward_assets -lembree${embree_VERSION_MAJOR} -lOpenMeshCore -lmeshoptimizer -ldraco -lstb")
 sward_install_pc(render "Draws fields of grass with Vulkan"
-  "sward-field vulkan" "-lsward_c -lsward_render -lsward_gpu")
+  "sward-field vulkan" "-lsward_c -lsward_presentation -lsward_render -lsward_gpu")

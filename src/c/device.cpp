@@ -1,7 +1,7 @@
 #include "c/guard.h"
 #include "c/handles.h"
 #include "gpu/context/host_device.h"
-#include "render/settings_file.h"
+#include "presentation/settings_file.h"
 
 #include <glm/geometric.hpp>
 #include <glm/gtc/type_ptr.hpp>
@@ -141,7 +141,7 @@ sward_status sward_settings_read(sward_settings* settings, const char* json)
         checked(settings, "settings");
         checked(json, "json");
         render::FrameSettings read = settings->settings;
-        render::readSettings(json, "settings", read);
+        presentation::readSettings(json, "settings", read);
         settings->settings = read;
     });
 }

@@ -42,11 +42,4 @@ ViewMatrices viewMatrices(const Camera& camera, glm::dvec3 origin, glm::uvec2 si
 /// reach beyond the picture. Blades keep the level of detail that they have in the whole picture.
 ViewMatrices partOf(const ViewMatrices& view, glm::uvec2 whole, glm::ivec2 first, glm::uvec2 size);
 
-/// Cameras that show all of `content` (relative to `origin`), with `groundUp` as up: obliquely from
-/// above (fit), standing inside at eye level (eye), straight down (top), along the ground from its
-/// border (edge).
-enum class CameraPreset { fit, eye, top, edge };
-Camera presetCamera(CameraPreset preset, const Aabb& content, glm::dvec3 origin, glm::vec3 groundUp,
-                    float aspect);
-
 } // namespace sward::render

@@ -24,6 +24,7 @@ FOLDERS = {
     "bake": "src/bake",
     "gpu": "src/gpu",
     "render": "src/render",
+    "presentation": "src/presentation",
     "c": "src/c",
     "apps_common": "src/apps/common",
     "sward": "src/apps/sward",
@@ -41,11 +42,12 @@ MAY_USE = {
     "interchange": "core shared field fmt glm nlohmann stb",
     "bake": "core shared terrain field fmt glm nlohmann tbb meshoptimizer",
     "gpu": "core fmt glm vulkan",
-    "render": "core shared shaders field gpu fmt glm nlohmann vulkan",
-    "c": "core shared field gpu render glm vulkan",
+    "render": "core shared shaders field gpu fmt glm vulkan",
+    "presentation": "core shared field render fmt glm nlohmann",
+    "c": "core shared field gpu render presentation glm vulkan",
     "apps_common": "core fmt glm nlohmann cli11 posix",
     "sward": "core shared terrain field interchange bake apps_common fmt glm nlohmann cli11 posix",
-    "sward_view": "core shared shaders field gpu render apps_common fmt glm nlohmann cli11 posix "
+    "sward_view": "core shared shaders field gpu render presentation apps_common fmt glm nlohmann cli11 posix "
                   "vulkan glfw imgui stb",
 }
 
@@ -91,7 +93,7 @@ ONLY_IN = {
 # Folders inside a library. Each may include those before it, and what lies in the library's own folder.
 INSIDE = {
     "gpu": "context recording memory pipeline device presentation",
-    "render": "field streaming cull settings resolve raster tessellation preview",
+    "render": "field streaming cull resolve raster tessellation preview",
     "bake": "ground mask settings paint filter sample poisson patches blades plan tiles whole session",
     "terrain": "topology image heightmap gltf mesh_files procedural query",
     "shaders": "common blade cull raster resolve tessellation preview bench",
@@ -266,6 +268,9 @@ class PlantedIncludesAreCaught(unittest.TestCase):
             ("src/bake/a.cpp", '#include "render/pass.h"', "bake must not see render"),
             ("src/gpu/a.cpp", '#include "field/field.h"', "gpu must not see field"),
             ("src/render/a.cpp", "#include <GLFW/glfw3.h>", "render must not see glfw"),
+            ("src/render/a.cpp", '#include "presentation/viewpoint.h"', "render must not see presentation"),
+            ("src/presentation/a.cpp", '#include "gpu/device/device.h"', "presentation must not see gpu"),
+            ("src/presentation/a.cpp", "#include <vulkan/vulkan.h>", "presentation must not see vulkan"),
             ("src/core/a.cpp", '#include "field/field.h"', "core must not see field"),
             ("src/apps/sward/a.cpp", '#include "gpu/device/device.h"', "sward must not see gpu"),
             ("src/apps/sward_view/a.cpp", '#include "bake/bake.h"', "sward_view must not see bake"),
@@ -290,7 +295,8 @@ class PlantedIncludesAreCaught(unittest.TestCase):
         ]
         house = {path: "#pragma once\n" for path in (
             "src/field/field.h", "terrain/mesh.h", "src/render/pass.h", "src/gpu/device/device.h",
-            "src/bake/bake.h", "src/render/raster/raster.h", "shaders/preview/a.glsl")}
+            "src/bake/bake.h", "src/render/raster/raster.h",
+            "src/presentation/viewpoint.h", "shaders/preview/a.glsl")}
         house["terrain/gltf/inner.h"] = "#pragma once\n#include <tiny_gltf.h>\n"
         house["terrain/gltf/outer.h"] = '#pragma once\n#include "terrain/gltf/inner.h"\n'
         for path, line, reason in planted:

@@ -7,7 +7,7 @@
 #include "field/delta.h"
 #include "field/write.h"
 #include "fuzz/memory_file.h"
-#include "render/settings/settings_text.h"
+#include "presentation/settings_text.h"
 #include "support/fields/fields.h"
 #include "terrain/load.h"
 #include "terrain/recipe.h"
@@ -187,7 +187,7 @@ void addStrokes(std::vector<Sample>& all)
 void addSettings(std::vector<Sample>& all)
 {
     render::FrameSettings settings;
-    all.push_back({"settings", "usual.json", render::settingsText(settings)});
+    all.push_back({"settings", "usual.json", presentation::settingsText(settings)});
     settings.winds.clear();
     for (std::uint32_t kind = 0; kind < shared::windKinds; ++kind)
         settings.winds.push_back(render::windSource(kind));
@@ -200,7 +200,7 @@ void addSettings(std::vector<Sample>& all)
     settings.updateRate = {10.0f, 20.0f};
     settings.skyUp = {0.0f, 0.0f, 1.0f};
     settings.fogDensity = 0.1f;
-    all.push_back({"settings", "everything.json", render::settingsText(settings)});
+    all.push_back({"settings", "everything.json", presentation::settingsText(settings)});
 }
 
 void addFields(std::vector<Sample>& all)

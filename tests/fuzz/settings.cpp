@@ -3,8 +3,8 @@
 #include "core/error.h"
 #include "core/expect.h"
 #include "fuzz/memory_file.h"
-#include "render/settings/settings_text.h"
-#include "render/settings_file.h"
+#include "presentation/settings_file.h"
+#include "presentation/settings_text.h"
 
 #include <string>
 
@@ -14,13 +14,13 @@ void settings(Bytes bytes)
 {
     render::FrameSettings read;
     try {
-        render::readSettings(memoryFile().hold(bytes, ".json"), read);
+        presentation::readSettings(memoryFile().hold(bytes, ".json"), read);
     } catch (const Error&) {
         return;
     }
-    const std::string text = render::settingsText(read);
+    const std::string text = presentation::settingsText(read);
     render::FrameSettings again;
-    render::readSettings(
+    presentation::readSettings(
         memoryFile().hold({reinterpret_cast<const std::uint8_t*>(text.data()), text.size()},
                           ".json"),
         again);

@@ -21,7 +21,7 @@ MESH_PACKAGES = "OpenMesh embree TinyGLTF TBB draco meshoptimizer OpenEXR PNG".s
 
 # What is installed below sward/ for each component, beside that of the field.
 FOLDERS = {"field": ["core", "field", "shaders"], "bake": ["terrain", "bake"],
-           "render": ["gpu", "render"]}
+           "render": ["gpu", "presentation", "render"]}
 
 # Doors that are enough for the programs below.
 DOORS = {"field": ["field/read.h"],
@@ -167,6 +167,30 @@ class Components(GuestTest):
                 self.run_here(COMPILER, "-std=c++20", "-DVK_NO_PROTOTYPES", *told, "main.cpp", *flags, "-o", "guest")
                 self.assertNotIn("vulkan", libraries_of(self.folder / "guest"))
                 self.assertRegex(self.run_here("./guest", field), r"^llvmpipe.* lists blades\n$")
+
+    def test_settings_and_cameras_are_linked_without_vulkan(self):
+        field = self.bake("--count", "300")
+        (self.folder / "main.cpp").write_text("""
+            #include <sward/field/read.h>
+            #include <sward/presentation/camera_presets.h>
+            #include <sward/presentation/settings_file.h>
+            #include <cstdio>
+            int main(int, char** argv)
+            {
+                using namespace sward;
+                const field::MappedField file = field::readField(argv[1]);
+                auto settings = render::FrameSettings::of(file.view());
+                presentation::readSettings(R"({"recovery": 3})", "here", settings);
+                const render::Camera camera = presentation::presetCamera(
+                    presentation::CameraPreset::fit, file.view(), glm::vec3(0.0f, 1.0f, 0.0f), 1.5f);
+                std::printf("%g, %g\\n", settings.environment.recovery, camera.fovY);
+            }""", encoding="utf-8")
+        flags = self.run_here("pkg-config", "--cflags", "--libs", "sward-render",
+                              PKG_CONFIG_PATH=str(PREFIX / "lib/pkgconfig")).split()
+        flags.remove("-lvulkan")
+        self.run_here(COMPILER, "-std=c++20", "main.cpp", *flags, "-o", "guest")
+        self.assertEqual(self.run_here("./guest", field), "3, 40\n")
+        self.assertNotIn("vulkan", libraries_of(self.folder / "guest"))
 
     def test_a_reader_of_fields_in_c_is_linked_without_vulkan(self):
         """By what pkg-config says of sward-field, and by the target sward::c_field."""

@@ -3,7 +3,7 @@
 
 #include "core/srgb.h"
 #include "picture.h"
-#include "render/look_settings.h"
+#include "presentation/look_settings.h"
 #include "support/fields/display_ground.h"
 #include "support/fields/fields.h"
 #include "support/gpu/gpu_fixture.h"
@@ -17,6 +17,9 @@
 
 namespace sward::render {
 namespace {
+
+using presentation::sunColorAt;
+using presentation::sunTowards;
 
 constexpr glm::uvec2 size(160, 90);
 

@@ -5,7 +5,7 @@
 #include "gpu/memory/upload.h"
 #include "gpu/recording/commands.h"
 #include "picture.h"
-#include "render/camera_presets.h"
+#include "presentation/camera_presets.h"
 #include "render/cull/field_buffers.h"
 #include "render/preview/attachments.h"
 #include "render/preview/sun_shadow.h"
@@ -47,7 +47,8 @@ protected:
         Scene(const gpu::Device& device, field::Field made, const FieldRenderer::Settings& wanted)
             : FieldScene(device, std::move(made), wanted)
         {
-            camera = presetCamera(CameraPreset::fit, field::viewOf(field), up, 1.6f);
+            camera = presentation::presetCamera(presentation::CameraPreset::fit,
+                                                field::viewOf(field), up, 1.6f);
         }
     };
 

@@ -8,7 +8,7 @@
 #include "core/progress.h"
 #include "likeness.h"
 #include "picture.h"
-#include "render/camera_presets.h"
+#include "presentation/camera_presets.h"
 #include "support/gpu/gpu_fixture.h"
 #include "terrain/load.h"
 
@@ -20,6 +20,9 @@
 
 namespace sward::render {
 namespace {
+
+using presentation::CameraPreset;
+using presentation::presetCamera;
 
 struct Scene {
     std::string name;

@@ -1,6 +1,6 @@
 #include "core/random.h"
+#include "presentation/camera_presets.h"
 #include "render/camera.h"
-#include "render/camera_presets.h"
 #include "render/frame.h"
 #include "shaders/shared/culling.h"
 #include "support/fields/fields.h"
@@ -13,6 +13,9 @@
 
 namespace sward::render {
 namespace {
+
+using presentation::CameraPreset;
+using presentation::presetCamera;
 
 constexpr std::uint64_t seed = 8;
 constexpr glm::uvec2 size(160, 90);

@@ -2,7 +2,7 @@
 // pixels.
 
 #include "core/random.h"
-#include "render/camera_presets.h"
+#include "presentation/camera_presets.h"
 #include "render/frame_settings.h"
 #include "support/fields/fields.h"
 
@@ -19,6 +19,10 @@
 
 namespace sward::render {
 namespace {
+
+using presentation::CameraPreset;
+using presentation::GroundSurface;
+using presentation::presetCamera;
 
 constexpr double pi = std::numbers::pi;
 constexpr std::uint64_t seed = 37;

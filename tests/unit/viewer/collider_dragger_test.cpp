@@ -32,7 +32,7 @@ protected:
     }
 
     const field::Field field_ = test::makeField({});
-    const render::GroundSurface ground_{viewOf(field_)};
+    const presentation::GroundSurface ground_{viewOf(field_)};
     std::vector<render::Collider> balls_{{{0.0, 0.45, 0.0}, {0.0, 0.45, 0.0}, 0.5, {}}};
     ColliderDragger hand_;
     double time_ = 0.0;

@@ -1,7 +1,7 @@
 // The keys `culling` and `detail` of settings files: what they set, and what they refuse.
 #include "core/error.h"
 #include "core/settings_json.h"
-#include "render/settings/detail_settings.h"
+#include "presentation/detail_settings.h"
 
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
@@ -14,7 +14,7 @@ FrameSettings settingsFrom(const std::string& text)
     const nlohmann::json json = parseJson(text, "s.json");
     SettingsReader reader(json, "s.json");
     FrameSettings settings;
-    readDetail(reader, settings);
+    presentation::readDetail(reader, settings);
     reader.finish();
     return settings;
 }

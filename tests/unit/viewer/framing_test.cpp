@@ -1,6 +1,6 @@
 #include "apps/sward_view/navigation/framing.h"
 #include "apps/sward_view/navigation/orbit.h"
-#include "render/camera_presets.h"
+#include "presentation/camera_presets.h"
 #include "shaders/shared/blade.h"
 #include "support/fields/fields.h"
 
@@ -27,8 +27,9 @@ protected:
 
     Framing framed(const Pane& pane) const
     {
-        return framedBeside(render::presetCamera(render::CameraPreset::fit, view_,
-                                                 glm::vec3(0.0f, 1.0f, 0.0f), pane.freeAspect()),
+        return framedBeside(presentation::presetCamera(presentation::CameraPreset::fit, view_,
+                                                       glm::vec3(0.0f, 1.0f, 0.0f),
+                                                       pane.freeAspect()),
                             pane, view_);
     }
 

@@ -1,4 +1,4 @@
-#include "render/ground_surface.h"
+#include "presentation/ground_surface.h"
 #include "support/fields/fields.h"
 
 #include <glm/geometric.hpp>
@@ -10,7 +10,7 @@ namespace {
 TEST(GroundSurface, IsHitStraightBelowAndFromBelow)
 {
     const field::Field field = test::smallGround(test::Surface::plane);
-    const render::GroundSurface ground(viewOf(field));
+    const presentation::GroundSurface ground(viewOf(field));
     for (const double x : {-4.9, -1.0, 0.0, 3.3}) {
         const auto above = ground.hit({x, 7.0, 1.0}, {0.0, -1.0, 0.0});
         ASSERT_TRUE(above.has_value());
@@ -22,7 +22,7 @@ TEST(GroundSurface, IsHitStraightBelowAndFromBelow)
 TEST(GroundSurface, IsNotHitBesideItNorBehind)
 {
     const field::Field field = test::smallGround(test::Surface::plane);
-    const render::GroundSurface ground(viewOf(field));
+    const presentation::GroundSurface ground(viewOf(field));
     EXPECT_FALSE(ground.hit({5.5, 7.0, 0.0}, {0.0, -1.0, 0.0}).has_value());
     EXPECT_FALSE(ground.hit({0.0, 7.0, 0.0}, {0.0, 1.0, 0.0}).has_value());
 }
@@ -30,7 +30,7 @@ TEST(GroundSurface, IsNotHitBesideItNorBehind)
 TEST(GroundSurface, IsHitAtTheNearerSideOfABall)
 {
     const field::Field field = test::smallGround(test::Surface::sphere);
-    const render::GroundSurface ground(viewOf(field));
+    const presentation::GroundSurface ground(viewOf(field));
     for (const glm::dvec3 side : {glm::dvec3(1.0, 0.0, 0.0), glm::dvec3(0.0, 0.0, -1.0),
                                   glm::normalize(glm::dvec3(1.0, 2.0, -3.0))}) {
         const auto hit = ground.hit(20.0 * side, -side);

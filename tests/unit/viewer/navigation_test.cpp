@@ -54,7 +54,7 @@ protected:
 
     bool isBall_ = false;
     field::Field field_;
-    render::GroundSurface ground_;
+    presentation::GroundSurface ground_;
 };
 
 TEST_F(NavigationTest, FliesAheadOnlyWhileTheRightButtonIsHeld)

@@ -10,7 +10,7 @@ namespace {
 TEST(Ring, LiesOnTheGroundAtItsRadiusAndIsClosed)
 {
     const field::Field field = test::smallGround(test::Surface::plane);
-    const render::GroundSurface ground(viewOf(field));
+    const presentation::GroundSurface ground(viewOf(field));
     const auto point = paintPointAt(ground, {1.0, 7.0, 0.5}, {0.0, -1.0, 0.0}, 2.0);
     ASSERT_TRUE(point.has_value());
     EXPECT_NEAR(glm::distance(point->place, glm::dvec3(1.0, 0.0, 0.5)), 0.0, 1e-5);
@@ -27,7 +27,7 @@ TEST(Ring, LiesOnTheGroundAtItsRadiusAndIsClosed)
 TEST(Ring, FollowsABall)
 {
     const field::Field field = test::smallGround(test::Surface::sphere);
-    const render::GroundSurface ground(viewOf(field));
+    const presentation::GroundSurface ground(viewOf(field));
     const glm::dvec3 side = glm::normalize(glm::dvec3(1.0, 2.0, -3.0));
     const auto point = paintPointAt(ground, 20.0 * side, -side, 1.0);
     ASSERT_TRUE(point.has_value());
@@ -40,7 +40,7 @@ TEST(Ring, FollowsABall)
 TEST(StraightStroke, GoesOverTheGroundFromOnePlaceToTheOther)
 {
     const field::Field field = test::smallGround(test::Surface::sphere);
-    const render::GroundSurface ground(viewOf(field));
+    const presentation::GroundSurface ground(viewOf(field));
     const auto pointAt = [&](const glm::dvec3& side) {
         return paintPointAt(ground, 20.0 * side, -side, 0.5).value();
     };

@@ -1,6 +1,6 @@
 #include "core/atomic_file.h"
-#include "render/settings/settings_text.h"
-#include "render/settings_file.h"
+#include "presentation/settings_file.h"
+#include "presentation/settings_text.h"
 
 #include <glm/geometric.hpp>
 #include <gtest/gtest.h>
@@ -10,6 +10,9 @@
 
 namespace sward::render {
 namespace {
+
+using presentation::readSettings;
+using presentation::settingsText;
 
 /// What is read from the text of `settings`.
 FrameSettings readBack(const FrameSettings& settings)

@@ -33,7 +33,7 @@ TEST(TimeOfDay, TheUsualHourHasTheUsualLight)
 {
     render::FrameSettings settings;
     const render::FrameSettings usual;
-    const double elevation = render::sunPlaceOf(usual.sunDirection).elevation;
+    const double elevation = presentation::sunPlaceOf(usual.sunDirection).elevation;
     setTimeOfDay(settings, hourOf(elevation, 9.0), hourOf(elevation, 9.0));
     for (glm::length_t i = 0; i < 3; ++i) {
         EXPECT_NEAR(settings.sunColor[i], usual.sunColor[i], 0.01f);
@@ -45,15 +45,15 @@ TEST(TimeOfDay, TheUsualHourHasTheUsualLight)
 TEST(TimeOfDay, KeepsWhatTheUserHasTurnedTheSunBy)
 {
     render::FrameSettings settings;
-    settings.sunDirection = render::sunTowards(30.0, sunAt(9.0).elevation);
+    settings.sunDirection = presentation::sunTowards(30.0, sunAt(9.0).elevation);
     setTimeOfDay(settings, 9.0, 14.0);
-    const render::SunPlace sun = render::sunPlaceOf(settings.sunDirection);
+    const presentation::SunPlace sun = presentation::sunPlaceOf(settings.sunDirection);
     EXPECT_NEAR(
         std::remainder(sun.azimuth - 30.0 - sunAt(14.0).azimuth + sunAt(9.0).azimuth, 360.0), 0.0,
         1e-3);
     EXPECT_NEAR(sun.elevation, sunAt(14.0).elevation, 1e-3);
     setTimeOfDay(settings, 14.0, 9.0);
-    EXPECT_NEAR(render::sunPlaceOf(settings.sunDirection).azimuth, 30.0, 1e-3);
+    EXPECT_NEAR(presentation::sunPlaceOf(settings.sunDirection).azimuth, 30.0, 1e-3);
 }
 
 TEST(TimeOfDay, LightFallsWithTheSun)

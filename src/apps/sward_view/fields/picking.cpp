@@ -35,7 +35,7 @@ std::vector<Candidate> candidatesOf(const field::FieldView& field, const Sight& 
         Aabb box;
         box.add(cell.boundsLow);
         box.add(cell.boundsHigh);
-        const std::optional<double> entered = render::enters(box, from, inverse);
+        const std::optional<double> entered = presentation::enters(box, from, inverse);
         if (entered && *entered <= farthest)
             found.push_back({*entered, i});
     }
@@ -94,7 +94,7 @@ std::optional<PickedBlade> pickBlade(const render::FieldRenderer& renderer, cons
                                      const Sight& sight, bool onlyDrawn)
 {
     const field::FieldView& field = shown.view;
-    const std::optional<render::GroundSurface::Hit> hit =
+    const std::optional<presentation::GroundSurface::Hit> hit =
         shown.ground.hit(sight.eye, sight.direction);
     double nearest = std::numeric_limits<double>::infinity();
     const double farthest = hit ? hit->distance : nearest;

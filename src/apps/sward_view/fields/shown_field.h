@@ -5,7 +5,7 @@
 #include "apps/sward_view/files/watched_file.h"
 #include "field/inspect.h"
 #include "field/read.h"
-#include "render/ground_surface.h"
+#include "presentation/ground_surface.h"
 
 #include <cstddef>
 #include <exception>
@@ -69,7 +69,7 @@ struct ShownField {
     FieldGroup group;
     const field::FieldView& view; ///< of all
     field::Summary summary;       ///< of all
-    render::GroundSurface ground;
+    presentation::GroundSurface ground;
     std::string name; ///< window title
 };
 

@@ -36,7 +36,7 @@ void move(render::Collider& collider, const glm::dvec3& way, double before, doub
 }
 
 // The centre of a collider that lies on the ground below or above `place`, if there is any.
-std::optional<glm::dvec3> laidOn(const render::GroundSurface& ground, const glm::dvec3& place,
+std::optional<glm::dvec3> laidOn(const presentation::GroundSurface& ground, const glm::dvec3& place,
                                  const glm::dvec3& up, double radius)
 {
     const auto hit = ground.hit(place + up * (probe * radius), -up);
@@ -74,7 +74,7 @@ glm::dvec3 middleOf(const render::Collider& collider, double time)
 }
 
 bool ColliderDragger::grab(const std::vector<render::Collider>& colliders, const Sight& sight,
-                           const render::GroundSurface& ground, double time)
+                           const presentation::GroundSurface& ground, double time)
 {
     const auto hit = ground.hit(sight.eye, sight.direction);
     double nearest = std::numeric_limits<double>::infinity();
@@ -104,7 +104,7 @@ bool ColliderDragger::grab(const std::vector<render::Collider>& colliders, const
     return true;
 }
 
-void ColliderDragger::drag(const Sight& sight, const render::GroundSurface& ground,
+void ColliderDragger::drag(const Sight& sight, const presentation::GroundSurface& ground,
                            const std::function<glm::dvec3(const glm::dvec3&)>& upAt)
 {
     if (!held_)
@@ -122,7 +122,7 @@ void ColliderDragger::release()
 }
 
 glm::dvec3 ColliderDragger::wayOf(Rolling& one, const std::vector<render::Collider>& colliders,
-                                  const render::GroundSurface& ground, const glm::dvec3& up,
+                                  const presentation::GroundSurface& ground, const glm::dvec3& up,
                                   double before, double seconds)
 {
     const render::Collider& collider = colliders[one.index];
@@ -158,7 +158,7 @@ glm::dvec3 ColliderDragger::wayOf(Rolling& one, const std::vector<render::Collid
 }
 
 void ColliderDragger::advance(std::vector<render::Collider>& colliders,
-                              const render::GroundSurface& ground,
+                              const presentation::GroundSurface& ground,
                               const std::function<glm::dvec3(const glm::dvec3&)>& upAt,
                               double before, double now)
 {

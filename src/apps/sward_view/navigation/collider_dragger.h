@@ -1,8 +1,8 @@
 #pragma once
 
 #include "apps/sward_view/fields/picking.h"
+#include "presentation/ground_surface.h"
 #include "render/colliders.h"
-#include "render/ground_surface.h"
 
 #include <glm/vec3.hpp>
 
@@ -21,10 +21,10 @@ public:
 
     /// Grabs the nearest collider in front of the ground; returns whether there was one.
     bool grab(const std::vector<render::Collider>& colliders, const Sight& sight,
-              const render::GroundSurface& ground, double time);
+              const presentation::GroundSurface& ground, double time);
 
     /// Moves the held collider to the ground point on the line of sight.
-    void drag(const Sight& sight, const render::GroundSurface& ground,
+    void drag(const Sight& sight, const presentation::GroundSurface& ground,
               const std::function<glm::dvec3(const glm::dvec3&)>& upAt);
 
     /// Releases the collider; a fast one rolls on, and falls where the ground ends.
@@ -33,7 +33,8 @@ public:
     bool holds() const { return held_.has_value(); }
 
     /// Moves held, rolling and falling colliders from time `before` to `now` [s].
-    void advance(std::vector<render::Collider>& colliders, const render::GroundSurface& ground,
+    void advance(std::vector<render::Collider>& colliders,
+                 const presentation::GroundSurface& ground,
                  const std::function<glm::dvec3(const glm::dvec3&)>& upAt, double before,
                  double now);
 
@@ -49,7 +50,7 @@ private:
 
     /// Way of a rolling or falling collider in `seconds`; changes its velocity.
     static glm::dvec3 wayOf(Rolling& one, const std::vector<render::Collider>& colliders,
-                            const render::GroundSurface& ground, const glm::dvec3& up,
+                            const presentation::GroundSurface& ground, const glm::dvec3& up,
                             double before, double seconds);
 
     std::optional<std::size_t> held_;

@@ -138,7 +138,7 @@ void Navigation::standOnGround()
 {
     const glm::dvec3 up = upHere();
     const glm::dvec3 above = camera().eye + up * (stepUp * eyeHeight_);
-    const std::optional<render::GroundSurface::Hit> ground = place_.ground->hit(above, -up);
+    const std::optional<presentation::GroundSurface::Hit> ground = place_.ground->hit(above, -up);
     render::Camera standing = camera();
     // Beyond the border, keep the height.
     if (ground) {

@@ -2,8 +2,8 @@
 
 #include "apps/sward_view/navigation/input.h"
 #include "apps/sward_view/navigation/orbit.h"
+#include "presentation/ground_surface.h"
 #include "render/camera.h"
-#include "render/ground_surface.h"
 
 #include <array>
 #include <functional>
@@ -16,10 +16,10 @@ namespace sward::view {
 class Navigation {
 public:
     struct Place {
-        glm::vec3 axis{0.0f, 1.0f, 0.0f};                  ///< unit; axis of orbits
-        double size = 100.0;                               ///< [m] size of the field
-        std::function<glm::dvec3(const glm::dvec3&)> upAt; ///< unit, away from gravity, world
-        const render::GroundSurface* ground = nullptr;     ///< may be null
+        glm::vec3 axis{0.0f, 1.0f, 0.0f};                    ///< unit; axis of orbits
+        double size = 100.0;                                 ///< [m] size of the field
+        std::function<glm::dvec3(const glm::dvec3&)> upAt;   ///< unit, away from gravity, world
+        const presentation::GroundSurface* ground = nullptr; ///< may be null
     };
 
     Navigation(const Framing& home, Place place);

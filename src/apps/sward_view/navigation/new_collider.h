@@ -1,8 +1,8 @@
 #pragma once
 
 #include "apps/sward_view/fields/picking.h"
+#include "presentation/ground_surface.h"
 #include "render/colliders.h"
-#include "render/ground_surface.h"
 
 #include <functional>
 #include <vector>
@@ -11,7 +11,7 @@ namespace sward::view {
 
 /// Where a new collider may lie.
 struct NewCollider {
-    const render::GroundSurface& ground;
+    const presentation::GroundSurface& ground;
     std::function<glm::dvec3(const glm::dvec3&)> upAt; ///< unit, world
     double fieldSize = 10.0;                           ///< [m]
     double time = 0.0;                                 ///< [s] of the places of the others

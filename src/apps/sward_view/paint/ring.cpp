@@ -11,7 +11,7 @@ namespace {
 
 constexpr int ringPieces = 48;
 constexpr double straightStep = 0.25; ///< [radii] between points of a straight stroke …
-constexpr double maxSteps = 2000.0;  ///< … of which there are no more
+constexpr double maxSteps = 2000.0;   ///< … of which there are no more
 constexpr int meanPieces = 8;         ///< rays for the mean normal of a point
 constexpr double meanShare = 0.6;     ///< of the radius, of the circle that they meet
 
@@ -32,9 +32,9 @@ std::vector<glm::dvec3> flatRing(const PaintPoint& centre, double radius, int pi
 }
 
 // The ground within `reach` of a place, above or below along `up`.
-std::optional<render::GroundSurface::Hit> groundBeside(const render::GroundSurface& ground,
-                                                       const glm::dvec3& place,
-                                                       const glm::dvec3& up, double reach)
+std::optional<presentation::GroundSurface::Hit>
+groundBeside(const presentation::GroundSurface& ground, const glm::dvec3& place,
+             const glm::dvec3& up, double reach)
 {
     auto hit = ground.hit(place + reach * up, -up);
     if (hit && hit->distance > 2.0 * reach)
@@ -44,7 +44,7 @@ std::optional<render::GroundSurface::Hit> groundBeside(const render::GroundSurfa
 
 } // namespace
 
-std::vector<glm::dvec3> ringOn(const render::GroundSurface& ground, const PaintPoint& centre,
+std::vector<glm::dvec3> ringOn(const presentation::GroundSurface& ground, const PaintPoint& centre,
                                double radius)
 {
     std::vector<glm::dvec3> ring;
@@ -56,8 +56,8 @@ std::vector<glm::dvec3> ringOn(const render::GroundSurface& ground, const PaintP
     return ring;
 }
 
-std::vector<PaintPoint> straightOn(const render::GroundSurface& ground, const PaintPoint& from,
-                                   const PaintPoint& to, double radius)
+std::vector<PaintPoint> straightOn(const presentation::GroundSurface& ground,
+                                   const PaintPoint& from, const PaintPoint& to, double radius)
 {
     const double length = glm::distance(from.place, to.place);
     const int steps =
@@ -82,7 +82,7 @@ std::vector<PaintPoint> straightOn(const render::GroundSurface& ground, const Pa
     return points;
 }
 
-std::vector<std::vector<glm::dvec3>> outlineOf(const render::GroundSurface& ground,
+std::vector<std::vector<glm::dvec3>> outlineOf(const presentation::GroundSurface& ground,
                                                const StrokeSketch& stroke)
 {
     std::vector<std::vector<glm::dvec3>> lines;
@@ -97,8 +97,9 @@ std::vector<std::vector<glm::dvec3>> outlineOf(const render::GroundSurface& grou
     return lines;
 }
 
-std::optional<PaintPoint> paintPointAt(const render::GroundSurface& ground, const glm::dvec3& eye,
-                                       const glm::dvec3& direction, double radius)
+std::optional<PaintPoint> paintPointAt(const presentation::GroundSurface& ground,
+                                       const glm::dvec3& eye, const glm::dvec3& direction,
+                                       double radius)
 {
     const auto hit = ground.hit(eye, direction);
     if (!hit)

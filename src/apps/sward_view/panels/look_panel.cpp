@@ -1,6 +1,6 @@
 #include "apps/sward_view/panels/panels.h"
 #include "apps/sward_view/scene/time_of_day.h"
-#include "render/look_settings.h"
+#include "presentation/look_settings.h"
 
 #include <cmath>
 #include <optional>
@@ -28,19 +28,19 @@ void drawLookPanel(Controls& controls, ViewerState& state)
 {
     render::FrameSettings& settings = state.settings;
     controls.section("Sun");
-    render::SunPlace sun = render::sunPlaceOf(settings.sunDirection);
+    presentation::SunPlace sun = presentation::sunPlaceOf(settings.sunDirection);
     drawTimeOfDay(controls, state, sun.elevation);
-    sun = render::sunPlaceOf(settings.sunDirection);
+    sun = presentation::sunPlaceOf(settings.sunDirection);
     const bool turned = controls.number("Azimuth", sun.azimuth, {-180.0f, 180.0f, "°", "%.0f"},
                                         "Azimuth of the sun, clockwise from north, which is -z");
     const bool risen = controls.number("Elevation", sun.elevation, {-10.0f, 89.9f, "°", "%.0f"},
                                        "Elevation of the sun above the horizon");
     if (turned || risen)
-        settings.sunDirection = render::sunTowards(sun.azimuth, sun.elevation);
+        settings.sunDirection = presentation::sunTowards(sun.azimuth, sun.elevation);
     controls.color("Sunlight", settings.sunColor, "Radiance of direct sunlight");
     if (controls.button("Colour by elevation",
                         "Sets the sunlight by the sun's elevation: redder near the horizon", true))
-        settings.sunColor = render::sunColorAt(sun.elevation);
+        settings.sunColor = presentation::sunColorAt(sun.elevation);
 
     controls.section("Sky and ground");
     controls.color("Sky", settings.skyColor, "Ambient light from the sky");

@@ -1,5 +1,5 @@
 #include "apps/sward_view/panels/panels.h"
-#include "render/settings/environment_settings.h"
+#include "presentation/environment_settings.h"
 
 #include <fmt/core.h>
 #include <glm/geometric.hpp>

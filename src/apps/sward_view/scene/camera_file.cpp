@@ -3,7 +3,7 @@
 #include "core/error.h"
 #include "core/mapped_file.h"
 #include "core/settings_json.h"
-#include "render/camera_presets.h"
+#include "presentation/camera_presets.h"
 
 #include <glm/geometric.hpp>
 #include <nlohmann/json.hpp>
@@ -60,7 +60,7 @@ render::Camera readCamera(const std::filesystem::path& path, glm::vec3 up)
 CameraPath chooseCamera(const std::string& name, const field::FieldView& field, float aspect,
                         glm::vec3 sunDirection)
 {
-    using render::CameraPreset;
+    using presentation::CameraPreset;
     struct Named {
         const char* name;
         CameraPreset preset;
@@ -72,7 +72,7 @@ CameraPath chooseCamera(const std::string& name, const field::FieldView& field, 
     const Named* found = std::find_if(std::begin(presets), std::end(presets),
                                       [&name](const Named& entry) { return name == entry.name; });
     if (found != std::end(presets))
-        return CameraPath(render::presetCamera(
+        return CameraPath(presentation::presetCamera(
             found->preset, field,
             {.groundUp = groundUpOf(field), .aspect = aspect, .sunDirection = sunDirection}));
 

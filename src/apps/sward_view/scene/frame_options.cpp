@@ -5,7 +5,7 @@
 #include "apps/sward_view/scene/cull_list.h"
 #include "core/error.h"
 #include "core/log.h"
-#include "render/settings_file.h"
+#include "presentation/settings_file.h"
 #include "shaders/shared/distance_band.h"
 
 #include <CLI/CLI.hpp>
@@ -216,9 +216,9 @@ render::FrameSettings FrameOptions::settingsFor(const field::FieldView& view) co
             log::warn("{}", warning);
     };
     if (sceneSettings)
-        warn(render::readSettings(sceneSettings->text, sceneSettings->place, settings));
+        warn(presentation::readSettings(sceneSettings->text, sceneSettings->place, settings));
     if (!settingsFile.empty())
-        warn(render::readSettings(settingsFile, settings));
+        warn(presentation::readSettings(settingsFile, settings));
     settings.colliders.insert(settings.colliders.end(), colliders.begin(), colliders.end());
     if (settings.colliders.size() > shared::maxColliders)
         fail(ErrorKind::usage, "--collider: {} colliders, more than {}", settings.colliders.size(),

@@ -20,7 +20,7 @@ constexpr double twilightFold = 6.0; ///< [degrees] below the horizon in which i
 
 } // namespace
 
-render::SunPlace sunAt(double hour)
+presentation::SunPlace sunAt(double hour)
 {
     const double turn = glm::radians(15.0 * (hour - 12.0));
     const double north = glm::radians(latitude);
@@ -46,7 +46,7 @@ double hourOf(double elevation, double near)
 
 double skyShareAt(double elevation)
 {
-    const double usual = render::sunPlaceOf(render::FrameSettings().sunDirection).elevation;
+    const double usual = presentation::sunPlaceOf(render::FrameSettings().sunDirection).elevation;
     if (elevation >= usual)
         return 1.0;
     if (elevation >= 0.0)
@@ -56,11 +56,12 @@ double skyShareAt(double elevation)
 
 void setTimeOfDay(render::FrameSettings& settings, double before, double hour)
 {
-    const render::SunPlace sun = render::sunPlaceOf(settings.sunDirection);
-    const render::SunPlace now = sunAt(hour);
+    const presentation::SunPlace sun = presentation::sunPlaceOf(settings.sunDirection);
+    const presentation::SunPlace now = sunAt(hour);
     settings.sunDirection =
-        render::sunTowards(sun.azimuth + now.azimuth - sunAt(before).azimuth, now.elevation);
-    settings.sunColor = now.elevation > 0.0 ? render::sunColorAt(now.elevation) : glm::vec3(0.0f);
+        presentation::sunTowards(sun.azimuth + now.azimuth - sunAt(before).azimuth, now.elevation);
+    settings.sunColor =
+        now.elevation > 0.0 ? presentation::sunColorAt(now.elevation) : glm::vec3(0.0f);
     const render::FrameSettings usual;
     const double share = skyShareAt(now.elevation);
     // Near the horizon less blue is left.

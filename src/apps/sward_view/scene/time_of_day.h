@@ -1,6 +1,6 @@
 #pragma once
 
-#include "render/look_settings.h"
+#include "presentation/look_settings.h"
 
 #include <glm/vec3.hpp>
 
@@ -11,7 +11,7 @@ struct FrameSettings;
 namespace sward::view {
 
 /// Place of the sun at an `hour` [h] of local solar time, 0 to 24, on a day in summer at 50° north.
-render::SunPlace sunAt(double hour);
+presentation::SunPlace sunAt(double hour);
 
 /// The hour nearest to `near` at which the sun is as high as `elevation` [degrees], or nearest to
 /// it.

@@ -1,7 +1,7 @@
 #include "apps/sward_view/window/loaded_field.h"
 
 #include "apps/sward_view/scene/camera_file.h"
-#include "render/camera_presets.h"
+#include "presentation/camera_presets.h"
 
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
@@ -42,15 +42,15 @@ LoadedField::LoadedField(const gpu::Device& device, std::unique_ptr<ShownField> 
     drawWith(std::move(shaders));
     // Initial bookmarks: views of the whole, then those stored in the field. The first, `fit`,
     // depends on what the window shows beside the field: Viewer frames it.
-    using render::CameraPreset;
+    using presentation::CameraPreset;
     int number = 2;
     for (const CameraPreset preset : {CameraPreset::eye, CameraPreset::top, CameraPreset::edge})
         navigation_.setBookmark(number++,
-                                render::presetCamera(preset, field_->view,
-                                                     {.groundUp = groundUpOf(field_->view),
-                                                      .aspect = aspect,
-                                                      .sunDirection = settings.sunDirection,
-                                                      .surface = &field_->ground}));
+                                presentation::presetCamera(preset, field_->view,
+                                                           {.groundUp = groundUpOf(field_->view),
+                                                            .aspect = aspect,
+                                                            .sunDirection = settings.sunDirection,
+                                                            .surface = &field_->ground}));
     for (const field::Camera& saved : field_->view.defaults->cameras) {
         if (number > 9)
             break;

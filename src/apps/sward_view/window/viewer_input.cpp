@@ -2,7 +2,7 @@
 #include "apps/sward_view/scene/camera_file.h"
 #include "apps/sward_view/window/viewer.h"
 #include "core/error.h"
-#include "render/camera_presets.h"
+#include "presentation/camera_presets.h"
 
 #include <fmt/core.h>
 
@@ -220,7 +220,7 @@ Sight Viewer::sightAt(glm::vec2 place) const
 
 bool Viewer::handleColliders(const Input& input, bool mouse)
 {
-    const render::GroundSurface& ground = loadedField_->field().ground;
+    const presentation::GroundSurface& ground = loadedField_->field().ground;
     if (mouse && input.leftPressed && !loadedField_->navigation().isWalking())
         dragsCollider_ =
             viewerState_.hand.grab(viewerState_.settings.colliders, sightAt(input.pressedAt),

@@ -124,7 +124,7 @@ void Viewer::steerBrush(Input& input, bool mouse)
         brush.radius =
             std::clamp(brush.radius * std::pow(radiusStep, std::exchange(input.wheel, 0.0f)),
                        shortestBrush, longestBrush);
-    const render::GroundSurface& ground = loadedField_->field().ground;
+    const presentation::GroundSurface& ground = loadedField_->field().ground;
     const auto pointAt = [&](glm::vec2 pixel) {
         const Sight sight = sightAt(pixel);
         return paintPointAt(ground, sight.eye, sight.direction, static_cast<double>(brush.radius));

@@ -6,9 +6,9 @@
 #include "core/atomic_file.h"
 #include "core/error.h"
 #include "core/log.h"
-#include "render/camera_presets.h"
-#include "render/settings/settings_text.h"
-#include "render/settings_file.h"
+#include "presentation/camera_presets.h"
+#include "presentation/settings_file.h"
+#include "presentation/settings_text.h"
 
 #include <fmt/core.h>
 #include <glm/geometric.hpp>
@@ -75,13 +75,13 @@ void Viewer::fulfil()
     if (requests.frameField) {
         const Pane pane = paneBesidePanel();
         const field::FieldView& view = loadedField_->field().view;
-        navigation.show(
-            framedBeside(render::presetCamera(render::CameraPreset::fit, view,
-                                              {.groundUp = groundUpOf(view),
-                                               .aspect = pane.freeAspect(),
-                                               .sunDirection = viewerState_.settings.sunDirection,
-                                               .surface = &loadedField_->field().ground}),
-                         pane, view));
+        navigation.show(framedBeside(
+            presentation::presetCamera(presentation::CameraPreset::fit, view,
+                                       {.groundUp = groundUpOf(view),
+                                        .aspect = pane.freeAspect(),
+                                        .sunDirection = viewerState_.settings.sunDirection,
+                                        .surface = &loadedField_->field().ground}),
+            pane, view));
     }
     if (requests.goHome)
         navigation.goHome();
@@ -116,7 +116,7 @@ void Viewer::fulfil()
 void Viewer::fulfilFiles(const Requests& requests)
 {
     if (requests.saveSettings) {
-        writeText(*requests.saveSettings, render::settingsText(viewerState_.settings));
+        writeText(*requests.saveSettings, presentation::settingsText(viewerState_.settings));
     }
     if (requests.saveField && !viewerState_.painter) {
         const auto field = loadedField_->field().members.at(viewerState_.chosen);
@@ -129,7 +129,7 @@ void Viewer::fulfilFiles(const Requests& requests)
         // Read into a copy, so that an invalid file changes nothing.
         render::FrameSettings settings = viewerState_.settings;
         const std::vector<std::string> warnings =
-            render::readSettings(*requests.loadSettings, settings);
+            presentation::readSettings(*requests.loadSettings, settings);
         viewerState_.settings = settings;
         viewerState_.hand.forget();
         notice(warnings.empty() ? *requests.loadSettings + ": read" : warnings.front());

@@ -2,7 +2,7 @@
 #include "apps/sward_view/window/viewer.h"
 #include "core/error.h"
 #include "gpu/memory/image_use.h"
-#include "render/settings/settings_text.h"
+#include "presentation/settings_text.h"
 
 #include <utility>
 
@@ -18,7 +18,7 @@ bool Viewer::hasChanged()
         recorder_.isPlaying() || recorder_.isRecording())
         return true;
     Seen seen{.camera = loadedField_->navigation().camera(),
-              .settings = render::settingsText(viewerState_.settings),
+              .settings = presentation::settingsText(viewerState_.settings),
               .debug = static_cast<std::uint32_t>(viewerState_.settings.debug),
               .window = window_.drawableSize(),
               .shift = pictureShift(),

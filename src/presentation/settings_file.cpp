@@ -1,17 +1,20 @@
-#include "render/settings_file.h"
+#include "presentation/settings_file.h"
 
 #include "core/mapped_file.h"
 #include "core/settings_json.h"
-#include "render/look_settings.h"
-#include "render/settings/detail_settings.h"
-#include "render/settings/environment_settings.h"
+#include "presentation/detail_settings.h"
+#include "presentation/environment_settings.h"
+#include "presentation/look_settings.h"
 
 #include <nlohmann/json.hpp>
 
 #include <string_view>
 #include <vector>
 
-namespace sward::render {
+namespace sward::presentation {
+
+using render::FrameSettings;
+
 namespace {
 
 constexpr std::size_t largestFile = 1u << 22; ///< [bytes] 256 colliders with long paths take less
@@ -39,4 +42,4 @@ std::vector<std::string> readSettings(std::string_view text, const std::string& 
     return warnings;
 }
 
-} // namespace sward::render
+} // namespace sward::presentation

@@ -1,9 +1,9 @@
-#include "render/camera_presets.h"
+#include "presentation/camera_presets.h"
 
 #include "field/distributions.h"
 #include "field/field.h"
+#include "presentation/viewpoint.h"
 #include "render/frame_settings.h"
-#include "render/viewpoint.h"
 
 #include <glm/geometric.hpp>
 #include <glm/trigonometric.hpp>
@@ -16,7 +16,11 @@
 #include <optional>
 #include <vector>
 
-namespace sward::render {
+namespace sward::presentation {
+
+using render::Camera;
+using render::FrameSettings;
+
 namespace {
 
 constexpr double fieldOfView = 40.0; ///< [degrees], vertical; a 50 mm lens in landscape format
@@ -428,4 +432,4 @@ Camera presetCamera(CameraPreset preset, const field::FieldView& field, glm::vec
     return presetCamera(preset, field, settings);
 }
 
-} // namespace sward::render
+} // namespace sward::presentation

@@ -1,8 +1,8 @@
-#include "render/settings/environment_settings.h"
+#include "presentation/environment_settings.h"
 
 #include "core/error.h"
 #include "core/settings_json.h"
-#include "render/settings/settings_list.h"
+#include "presentation/settings_list.h"
 
 #include <fmt/format.h>
 #include <glm/geometric.hpp>
@@ -12,7 +12,12 @@
 #include <string>
 #include <string_view>
 
-namespace sward::render {
+namespace sward::presentation {
+
+using render::Collider;
+using render::FrameSettings;
+using render::WindSource;
+
 namespace {
 
 constexpr double farthestDraw = 1e12; ///< [m] beyond the Moon
@@ -36,7 +41,7 @@ void requireDirection(glm::vec3 v, const std::string& place)
 WindSource readWind(SettingsReader& reader)
 {
     const std::uint32_t kind = reader.readWord("kind", kindNames, shared::windNoise);
-    WindSource wind = windSource(kind);
+    WindSource wind = render::windSource(kind);
     shared::WindSource& s = wind.source;
     reader.read("strength", s.strength, 0.0, strongest);
     reader.read("size", s.size, 1e-3, largestSize);
@@ -112,4 +117,4 @@ void readEnvironment(SettingsReader& reader, FrameSettings& settings)
     reader.read("recovery", settings.environment.recovery, 1e-3, strongest);
 }
 
-} // namespace sward::render
+} // namespace sward::presentation

@@ -8,11 +8,11 @@ namespace sward {
 class SettingsReader;
 } // namespace sward
 
-namespace sward::render {
+namespace sward::presentation {
 
 /// Reads the key "look" of a settings file: sun, sky, air and film. Absent keys keep their values.
 /// docs/settings.md. Throws Error{input}.
-void readLook(SettingsReader& reader, FrameSettings& settings);
+void readLook(SettingsReader& reader, render::FrameSettings& settings);
 
 /// Unit vector towards a sun at `azimuth` degrees clockwise from north (−z) and `elevation` degrees
 /// above the horizon.
@@ -30,4 +30,4 @@ SunPlace sunPlaceOf(glm::vec3 direction);
 /// extinction of clear air with a little haze.
 glm::vec3 sunColorAt(double elevation);
 
-} // namespace sward::render
+} // namespace sward::presentation

@@ -1,4 +1,4 @@
-#include "render/viewpoint.h"
+#include "presentation/viewpoint.h"
 
 #include "core/bounds.h"
 
@@ -15,7 +15,7 @@
 #include <utility>
 #include <vector>
 
-namespace sward::render {
+namespace sward::presentation {
 namespace {
 
 constexpr std::size_t standpoints = 48;      ///< places that are tried
@@ -350,4 +350,4 @@ std::optional<Viewpoint> findViewpoint(const field::FieldView& field, const Grou
     return ViewpointSearch(field, ground, settings).best();
 }
 
-} // namespace sward::render
+} // namespace sward::presentation

@@ -3,10 +3,10 @@
 #include "core/settings_json.h"
 #include "render/frame_settings.h"
 
-namespace sward::render {
+namespace sward::presentation {
 
 /// Reads the keys `culling` and `detail` of a settings file: culling tests, segments and widths,
 /// update rates. Throws Error{input}.
-std::vector<std::string> readDetail(SettingsReader& reader, FrameSettings& settings);
+std::vector<std::string> readDetail(SettingsReader& reader, render::FrameSettings& settings);
 
-} // namespace sward::render
+} // namespace sward::presentation

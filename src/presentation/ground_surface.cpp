@@ -1,4 +1,4 @@
-#include "render/ground_surface.h"
+#include "presentation/ground_surface.h"
 
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
@@ -10,7 +10,7 @@
 #include <limits>
 #include <utility>
 
-namespace sward::render {
+namespace sward::presentation {
 namespace {
 
 constexpr std::uint32_t trianglesPerRun = 32;
@@ -169,4 +169,4 @@ std::optional<GroundSurface::Hit> GroundSurface::hit(const glm::dvec3& eye,
     return Hit{search.nearest, eye + search.nearest * direction, glm::normalize(search.normal)};
 }
 
-} // namespace sward::render
+} // namespace sward::presentation

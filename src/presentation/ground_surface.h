@@ -9,7 +9,7 @@
 #include <optional>
 #include <vector>
 
-namespace sward::render {
+namespace sward::presentation {
 
 /// Ray queries on the displayed ground: for cameras, picking and walking. On 2 million triangles
 /// it is made in about 25 ms, and a ray takes some 10 µs.
@@ -53,4 +53,4 @@ private:
 /// Where a ray enters a box (0 inside), or nothing if it misses it. `inverse` is 1/direction.
 std::optional<double> enters(const Aabb& box, const glm::dvec3& eye, const glm::dvec3& inverse);
 
-} // namespace sward::render
+} // namespace sward::presentation

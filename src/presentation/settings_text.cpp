@@ -1,16 +1,22 @@
-#include "render/settings/settings_text.h"
+#include "presentation/settings_text.h"
 
 #include "core/json_text.h"
+#include "presentation/environment_settings.h"
+#include "presentation/look_settings.h"
 #include "render/cull_tests.h"
-#include "render/look_settings.h"
-#include "render/settings/environment_settings.h"
 
 #include <nlohmann/json.hpp>
 
 #include <cstdio>
 #include <cstdlib>
 
-namespace sward::render {
+namespace sward::presentation {
+
+using render::Collider;
+using render::FrameSettings;
+using render::LevelStep;
+using render::WindSource;
+
 namespace {
 
 using Json = nlohmann::ordered_json;
@@ -112,7 +118,7 @@ std::string settingsText(const FrameSettings& settings)
         json["colliders"].push_back(colliderJson(collider));
 
     Json& culling = json["culling"];
-    for (const CullTest& test : cullTests)
+    for (const render::CullTest& test : render::cullTests)
         culling[std::string(test.name)] = (settings.cullMask & test.bit) != 0;
     culling["draw_distance"] = number(environment.drawDistance);
     if (settings.maxEdgeOn)
@@ -142,4 +148,4 @@ std::string settingsText(const FrameSettings& settings)
     return jsonText(json, 2) + "\n";
 }
 
-} // namespace sward::render
+} // namespace sward::presentation

@@ -1,11 +1,15 @@
-#include "render/settings/detail_settings.h"
+#include "presentation/detail_settings.h"
 
 #include "core/error.h"
-#include "render/settings/settings_list.h"
+#include "presentation/settings_list.h"
 
 #include <nlohmann/json.hpp>
 
-namespace sward::render {
+namespace sward::presentation {
+
+using render::FrameSettings;
+using render::LevelStep;
+
 namespace {
 
 constexpr double farthest = 1e12; ///< [m]
@@ -86,4 +90,4 @@ std::vector<std::string> readDetail(SettingsReader& reader, FrameSettings& setti
     return {};
 }
 
-} // namespace sward::render
+} // namespace sward::presentation

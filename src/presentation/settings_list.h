@@ -5,7 +5,7 @@
 #include <cstddef>
 #include <vector>
 
-namespace sward::render {
+namespace sward::presentation {
 
 /// One reader per object of the array under `key`; none if the key is absent. Throws Error{input}
 /// on another type, or on more than `most` entries.
@@ -24,4 +24,4 @@ void readList(SettingsReader& reader, const char* key, std::size_t most, std::ve
         list.push_back(read(one));
 }
 
-} // namespace sward::render
+} // namespace sward::presentation

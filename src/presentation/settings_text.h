@@ -4,10 +4,10 @@
 
 #include <string>
 
-namespace sward::render {
+namespace sward::presentation {
 
 /// The settings as text for readSettings(), which restores them. Debug colours and a frozen camera
 /// are not included.
-std::string settingsText(const FrameSettings& settings);
+std::string settingsText(const render::FrameSettings& settings);
 
-} // namespace sward::render
+} // namespace sward::presentation

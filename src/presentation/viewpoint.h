@@ -1,12 +1,12 @@
 #pragma once
 
-#include "render/ground_surface.h"
+#include "presentation/ground_surface.h"
 
 #include <glm/vec3.hpp>
 
 #include <optional>
 
-namespace sward::render {
+namespace sward::presentation {
 
 /// A place to stand, and where to look from there.
 struct Viewpoint {
@@ -30,4 +30,4 @@ struct ViewpointSettings {
 std::optional<Viewpoint> findViewpoint(const field::FieldView& field, const GroundSurface& ground,
                                        const ViewpointSettings& settings);
 
-} // namespace sward::render
+} // namespace sward::presentation

@@ -1,11 +1,11 @@
-#include "render/settings/settings_list.h"
+#include "presentation/settings_list.h"
 
 #include "core/error.h"
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
-namespace sward::render {
+namespace sward::presentation {
 
 std::vector<SettingsReader> readersOf(SettingsReader& reader, const char* key, std::size_t most)
 {
@@ -21,4 +21,4 @@ std::vector<SettingsReader> readersOf(SettingsReader& reader, const char* key, s
     return readers;
 }
 
-} // namespace sward::render
+} // namespace sward::presentation

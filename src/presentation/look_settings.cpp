@@ -1,4 +1,4 @@
-#include "render/look_settings.h"
+#include "presentation/look_settings.h"
 
 #include "core/error.h"
 #include "core/settings_json.h"
@@ -11,7 +11,10 @@
 #include <algorithm>
 #include <cmath>
 
-namespace sward::render {
+namespace sward::presentation {
+
+using render::FrameSettings;
+
 namespace {
 
 constexpr double brightest = 1000.0; ///< radiance; that of the sky is about 1
@@ -99,4 +102,4 @@ void readLook(SettingsReader& reader, FrameSettings& settings)
     look.finish();
 }
 
-} // namespace sward::render
+} // namespace sward::presentation
