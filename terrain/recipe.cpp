@@ -2,8 +2,8 @@
 
 #include "core/embedded.h"
 #include "core/error.h"
-#include "core/settings_json.h"
-#include "terrain/file_kind.h"
+#include "core/json/settings_json.h"
+#include "terrain/files/file_kind.h"
 #include "terrain/heightmap/height_samples.h"
 #include "terrain/heightmap/heightmap.h"
 #include "terrain/load.h"

@@ -35,8 +35,8 @@ function(sward_add_tests target)
 endfunction()
 
 # sward_add_python_suite(FILE [ALONE] [SMOKE] [NAME name] [ENVIRONMENT …] [ARGUMENTS …] [PROPERTIES …])
-#   FILE_test.py as one ctest. Classes whose names begin with Long make a second one, NAME.long, which is long and runs
-#   alone. With ALONE nothing runs beside the first one either: it measures time, or bounds it. With SMOKE `scripts/test --quick` runs it, too.
+#   FILE_test.py as one ctest; folders in FILE are no part of its name. Classes whose names begin with Long make a second
+#   one, NAME.long, which is long and runs alone. With ALONE nothing runs beside the first one either: it measures time, or bounds it. With SMOKE `scripts/test --quick` runs it, too.
 #   ARGUMENTS stand between the file and the classes.
 function(sward_add_python_suite file)
   cmake_parse_arguments(PARSE_ARGV 1 ARG "ALONE;SMOKE" "NAME" "ENVIRONMENT;ARGUMENTS;PROPERTIES")
@@ -45,7 +45,7 @@ function(sward_add_python_suite file)
   sward_suite_prefix(prefix)
   string(REGEX REPLACE "\\..*" "" label ${prefix})
   if(NOT ARG_NAME)
-    set(ARG_NAME ${file})
+    cmake_path(GET file FILENAME ARG_NAME)
   endif()
   set(name ${prefix}.${ARG_NAME})
 

@@ -3,7 +3,7 @@
 #include "bake/patches/patch_tree.h"
 #include "bake/tiles/stored_cells.h"
 #include "bake/whole/whole_bake.h"
-#include "core/piece_file.h"
+#include "core/files/piece_file.h"
 #include "core/stopwatch.h"
 #include "field/write.h"
 

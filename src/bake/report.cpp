@@ -1,6 +1,6 @@
 #include "bake/report.h"
 
-#include "core/json_text.h"
+#include "core/json/json_text.h"
 
 #include <nlohmann/json.hpp>
 

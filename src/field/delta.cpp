@@ -1,8 +1,8 @@
 #include "field/delta.h"
 
-#include "core/atomic_file.h"
 #include "core/error.h"
-#include "core/mapped_file.h"
+#include "core/files/atomic_file.h"
+#include "core/files/mapped_file.h"
 #include "field/verify.h"
 
 #include <fmt/core.h>

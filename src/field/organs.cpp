@@ -1,7 +1,7 @@
 #include "field/organs.h"
 
 #include "core/error.h"
-#include "core/settings_json.h"
+#include "core/json/settings_json.h"
 #include "field/field.h"
 
 #include <glm/common.hpp>

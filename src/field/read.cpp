@@ -1,13 +1,13 @@
 #include "field/read.h"
 
 #include "core/error.h"
-#include "core/mapped_file.h"
-#include "core/settings_json.h"
+#include "core/files/mapped_file.h"
+#include "core/json/settings_json.h"
 #include "core/uninitialized.h"
-#include "field/compression.h"
-#include "field/format.h"
-#include "field/images.h"
-#include "field/texts.h"
+#include "field/file/compression.h"
+#include "field/file/format.h"
+#include "field/file/images.h"
+#include "field/file/texts.h"
 #include "field/verify.h"
 
 #include <nlohmann/json.hpp>

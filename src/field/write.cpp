@@ -1,12 +1,12 @@
 #include "field/write.h"
 
-#include "core/atomic_file.h"
 #include "core/error.h"
 #include "core/expect.h"
-#include "field/compression.h"
-#include "field/format.h"
-#include "field/images.h"
-#include "field/texts.h"
+#include "core/files/atomic_file.h"
+#include "field/file/compression.h"
+#include "field/file/format.h"
+#include "field/file/images.h"
+#include "field/file/texts.h"
 #include "field/verify.h"
 
 #include <xxhash.h>

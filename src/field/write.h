@@ -1,7 +1,7 @@
 #pragma once
 
-#include "field/blade_pieces.h"
 #include "field/field.h"
+#include "field/file/blade_pieces.h"
 
 #include <cstdint>
 #include <filesystem>

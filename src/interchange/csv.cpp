@@ -1,6 +1,6 @@
 #include "interchange/csv.h"
 
-#include "core/atomic_file.h"
+#include "core/files/atomic_file.h"
 #include "interchange/instances.h"
 #include "shaders/shared/blade.h"
 

@@ -1,7 +1,7 @@
 #include "interchange/gltf.h"
 
-#include "core/atomic_file.h"
 #include "core/error.h"
+#include "core/files/atomic_file.h"
 #include "interchange/blade_groups.h"
 #include "interchange/blade_mesh.h"
 #include "interchange/gltf_document.h"

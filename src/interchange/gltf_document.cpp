@@ -1,7 +1,7 @@
 #include "interchange/gltf_document.h"
 
 #include "core/expect.h"
-#include "core/json_text.h"
+#include "core/json/json_text.h"
 
 #include <nlohmann/json.hpp>
 

@@ -1,6 +1,6 @@
 #include "interchange/ply.h"
 
-#include "core/atomic_file.h"
+#include "core/files/atomic_file.h"
 #include "interchange/instances.h"
 
 #include <fmt/format.h>

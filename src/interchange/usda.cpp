@@ -1,11 +1,11 @@
 #include "interchange/usda.h"
 
-#include "core/atomic_file.h"
-#include "core/srgb.h"
+#include "core/files/atomic_file.h"
+#include "core/math/srgb.h"
 #include "interchange/blade_groups.h"
 #include "interchange/instances.h"
-#include "interchange/usda_blade.h"
-#include "interchange/usda_text.h"
+#include "interchange/usda/usda_blade.h"
+#include "interchange/usda/usda_text.h"
 
 #include <fmt/format.h>
 

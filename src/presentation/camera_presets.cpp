@@ -1,7 +1,7 @@
 #include "presentation/camera_presets.h"
 
-#include "field/distributions.h"
 #include "field/field.h"
+#include "field/measure/distributions.h"
 #include "presentation/viewpoint.h"
 #include "render/frame_settings.h"
 

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "core/settings_json.h"
+#include "core/json/settings_json.h"
 #include "render/frame_settings.h"
 
 namespace sward::presentation {

@@ -1,7 +1,7 @@
 #include "presentation/environment_settings.h"
 
 #include "core/error.h"
-#include "core/settings_json.h"
+#include "core/json/settings_json.h"
 #include "presentation/settings_list.h"
 
 #include <fmt/format.h>

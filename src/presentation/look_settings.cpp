@@ -1,7 +1,7 @@
 #include "presentation/look_settings.h"
 
 #include "core/error.h"
-#include "core/settings_json.h"
+#include "core/json/settings_json.h"
 
 #include <glm/exponential.hpp>
 #include <glm/geometric.hpp>

@@ -1,7 +1,7 @@
 #include "presentation/settings_file.h"
 
-#include "core/mapped_file.h"
-#include "core/settings_json.h"
+#include "core/files/mapped_file.h"
+#include "core/json/settings_json.h"
 #include "presentation/detail_settings.h"
 #include "presentation/environment_settings.h"
 #include "presentation/look_settings.h"

@@ -1,6 +1,6 @@
 #include "presentation/settings_text.h"
 
-#include "core/json_text.h"
+#include "core/json/json_text.h"
 #include "presentation/environment_settings.h"
 #include "presentation/look_settings.h"
 #include "render/cull_tests.h"

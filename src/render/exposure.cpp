@@ -1,6 +1,6 @@
 #include "render/exposure.h"
 
-#include "core/srgb.h"
+#include "core/math/srgb.h"
 #include "render/field/grass_cover.h"
 #include "render/frame_settings.h"
 

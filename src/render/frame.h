@@ -1,7 +1,7 @@
 #pragma once
 
 #include "core/bounds.h"
-#include "field/distributions.h"
+#include "field/measure/distributions.h"
 #include "render/camera.h"
 #include "render/frame_settings.h"
 #include "shaders/shared/frame.h"

@@ -2,7 +2,7 @@
 
 #include "core/error.h"
 #include "terrain/blocks.h"
-#include "terrain/gltf/layout.h"
+#include "terrain/gltf/file/layout.h"
 
 #include <algorithm>
 #include <array>

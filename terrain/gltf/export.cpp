@@ -1,9 +1,9 @@
 #include "terrain/gltf/export.h"
 
-#include "core/atomic_file.h"
 #include "core/error.h"
-#include "core/json_text.h"
-#include "terrain/gltf/container.h"
+#include "core/files/atomic_file.h"
+#include "core/json/json_text.h"
+#include "terrain/gltf/file/container.h"
 
 #include <nlohmann/json.hpp>
 #include <stb/stb_image_write.h>

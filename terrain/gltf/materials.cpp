@@ -1,8 +1,8 @@
 #include "terrain/gltf/materials.h"
 
 #include "core/error.h"
-#include "core/mapped_file.h"
-#include "terrain/gltf/uri.h"
+#include "core/files/mapped_file.h"
+#include "terrain/gltf/file/uri.h"
 #include "terrain/image/image_decode.h"
 
 #include <algorithm>

@@ -1,14 +1,14 @@
 #include "terrain/gltf/model.h"
 
 #include "core/error.h"
-#include "core/json_text.h"
-#include "core/settings_json.h"
-#include "terrain/gltf/check.h"
-#include "terrain/gltf/container.h"
-#include "terrain/gltf/draco.h"
-#include "terrain/gltf/extensions.h"
-#include "terrain/gltf/layout.h"
-#include "terrain/gltf/meshopt.h"
+#include "core/json/json_text.h"
+#include "core/json/settings_json.h"
+#include "terrain/gltf/codecs/draco.h"
+#include "terrain/gltf/codecs/meshopt.h"
+#include "terrain/gltf/file/check.h"
+#include "terrain/gltf/file/container.h"
+#include "terrain/gltf/file/extensions.h"
+#include "terrain/gltf/file/layout.h"
 
 #include <nlohmann/json.hpp>
 

@@ -1,9 +1,9 @@
 #pragma once
 
 #include "core/diagnostics.h"
-#include "core/mapped_file.h"
-#include "terrain/gltf/buffers.h"
-#include "terrain/gltf/structure.h"
+#include "core/files/mapped_file.h"
+#include "terrain/gltf/file/buffers.h"
+#include "terrain/gltf/file/structure.h"
 
 #include <filesystem>
 

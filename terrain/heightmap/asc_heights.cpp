@@ -1,5 +1,5 @@
 #include "core/error.h"
-#include "core/foreign_bytes.h"
+#include "core/files/foreign_bytes.h"
 #include "core/lower_case.h"
 #include "terrain/heightmap/height_samples.h"
 

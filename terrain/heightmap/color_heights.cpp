@@ -1,7 +1,7 @@
 #include "terrain/heightmap/color_heights.h"
 
 #include "core/error.h"
-#include "core/settings_json.h"
+#include "core/json/settings_json.h"
 
 #include <fmt/format.h>
 

@@ -1,8 +1,8 @@
 #include "terrain/heightmap/heightmap.h"
 
 #include "core/error.h"
-#include "core/mapped_file.h"
-#include "terrain/file_kind.h"
+#include "core/files/mapped_file.h"
+#include "terrain/files/file_kind.h"
 #include "terrain/heightmap/height_samples.h"
 #include "terrain/heightmap/heightfield.h"
 #include "terrain/heightmap/hole_mask.h"

@@ -1,7 +1,7 @@
 #include "terrain/heightmap/hole_mask.h"
 
 #include "core/error.h"
-#include "core/mapped_file.h"
+#include "core/files/mapped_file.h"
 #include "terrain/heightmap/height_samples.h"
 #include "terrain/image/image_decode.h"
 #include "terrain/image/png_pixels.h"

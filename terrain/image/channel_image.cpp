@@ -1,8 +1,8 @@
 #include "terrain/image/channel_image.h"
 
 #include "core/error.h"
-#include "core/foreign_bytes.h"
-#include "core/mapped_file.h"
+#include "core/files/foreign_bytes.h"
+#include "core/files/mapped_file.h"
 #include "terrain/image/image_sampling.h"
 #include "terrain/image/png_pixels.h"
 #include "terrain/image/whole_image.h"

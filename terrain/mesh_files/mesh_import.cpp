@@ -1,9 +1,9 @@
 #include "terrain/mesh_files/mesh_import.h"
 
 #include "core/error.h"
-#include "core/foreign_bytes.h"
-#include "core/mapped_file.h"
-#include "terrain/file_kind.h"
+#include "core/files/foreign_bytes.h"
+#include "core/files/mapped_file.h"
+#include "terrain/files/file_kind.h"
 #include "terrain/mesh_files/mesh_import_obj.h"
 #include "terrain/mesh_files/mesh_readers.h"
 #include "terrain/mesh_files/mtl_import.h"

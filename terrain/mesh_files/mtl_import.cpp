@@ -1,11 +1,11 @@
 #include "terrain/mesh_files/mtl_import.h"
 
 #include "core/error.h"
-#include "core/foreign_bytes.h"
-#include "core/mapped_file.h"
+#include "core/files/foreign_bytes.h"
+#include "core/files/mapped_file.h"
+#include "terrain/files/near_file.h"
 #include "terrain/image/image_decode.h"
 #include "terrain/mesh_files/text_cursor.h"
-#include "terrain/near_file.h"
 
 #include <fmt/ranges.h>
 

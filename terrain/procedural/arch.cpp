@@ -1,5 +1,5 @@
-#include "core/exact_math.h"
 #include "core/expect.h"
+#include "core/math/exact_math.h"
 #include "terrain/procedural/landforms.h"
 #include "terrain/topology/soup.h"
 

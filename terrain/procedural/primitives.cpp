@@ -1,7 +1,7 @@
 #include "terrain/procedural/primitives.h"
 
-#include "core/exact_math.h"
 #include "core/expect.h"
+#include "core/math/exact_math.h"
 #include "terrain/heightmap/heightfield.h"
 #include "terrain/topology/soup.h"
 

@@ -1,6 +1,6 @@
 #include "terrain/topology/topology.h"
 
-#include "core/exact_math.h"
+#include "core/math/exact_math.h"
 #include "terrain/topology/half_edges.h"
 #include "terrain/topology/seams.h"
 #include "terrain/topology/weld.h"

@@ -9,6 +9,7 @@ import sys
 import tempfile
 import unittest
 from fnmatch import fnmatch
+from itertools import zip_longest
 from pathlib import Path
 
 ROOT = Path(__file__).resolve().parents[2]
@@ -85,18 +86,25 @@ ONLY_IN = {
     "embree": ["terrain/query/surface_query*"],
     "png": ["terrain/image/png_pixels*"],
     "openexr": ["terrain/heightmap/exr_heights*"],
-    "draco": ["terrain/gltf/draco_geometry*"],
+    "draco": ["terrain/gltf/codecs/draco_geometry*"],
     "intrinsics": ["terrain/query/surface_query*"],
     "spdlog": ["src/core/log.cpp"],
 }
 
-# Folders inside a library. Each may include those before it, and what lies in the library's own folder.
+# Folders inside a library, or inside one of its folders. Each may include those before it, and what lies in the folder
+# that holds them all.
 INSIDE = {
+    "core": "math files json",
+    "field": "file measure",
+    "interchange": "usda",
     "gpu": "context recording memory pipeline device presentation",
     "render": "field streaming cull resolve raster tessellation preview",
     "bake": "ground mask settings paint filter sample poisson patches blades plan tiles whole session",
-    "terrain": "topology image heightmap gltf mesh_files procedural query",
     "shaders": "common blade cull raster resolve tessellation preview bench",
+    "terrain": "topology image files heightmap gltf mesh_files procedural query loading",
+    "terrain/gltf": "file codecs",
+    "apps_common": "terminal",
+    "sward": "files text options",
     "sward_view": "files picture scene fields paint interface navigation panels window headless",
 }
 
@@ -172,16 +180,18 @@ def complaint(root, path, kind, header):
 
 def wrong_folder(path, included, library):
     """Why a file may not include another of its own library; None if it may."""
-    order = INSIDE.get(library, "").split()
-    folders = []
-    for file in (path, included):
-        parts = file[len(FOLDERS[library]) + 1:].split("/")
-        folders.append(parts[0] if len(parts) > 1 else "")
-        if (folders[-1] or library in ALL_IN_FOLDERS) and order and folders[-1] not in order:
-            return f"{folders[-1] or 'the root'} is no known folder of {library}"
-    own, other = folders
-    if own in order and other in order and order.index(other) > order.index(own):
-        return f"{own} must not see {other}"
+    inner = lambda file: file[len(FOLDERS[library]) + 1:].split("/")[:-1]
+    place = library
+    for own, other in zip_longest(inner(path), inner(included)):
+        order = INSIDE.get(place, "").split()
+        for folder in (own, other):
+            if (folder or place in ALL_IN_FOLDERS) and order and folder not in order:
+                return f"{folder or 'the root'} is no known folder of {place}"
+        if own and other and order.index(other) > order.index(own):
+            return f"{own} must not see {other}"
+        if own != other:
+            break
+        place += "/" + own
     return None
 
 
@@ -292,11 +302,14 @@ class PlantedIncludesAreCaught(unittest.TestCase):
             ("shaders/shared/b.h", '#include "shaders/preview/a.glsl"', "shared must not see shaders"),
             ("shaders/cull/a.comp", '#include "core/b.h"', "belongs to no known library"),
             ("src/render/odd/a.cpp", '#include "render/pass.h"', "odd is no known folder of render"),
+            ("terrain/gltf/file/a.cpp", '#include "terrain/gltf/codecs/c.h"', "file must not see codecs"),
+            ("terrain/gltf/odd/a.cpp", '#include "terrain/gltf/inner.h"', "odd is no known folder of terrain/gltf"),
         ]
         house = {path: "#pragma once\n" for path in (
             "src/field/field.h", "terrain/mesh.h", "src/render/pass.h", "src/gpu/device/device.h",
             "src/bake/bake.h", "src/render/raster/raster.h",
             "src/presentation/viewpoint.h", "shaders/preview/a.glsl")}
+        house["terrain/gltf/codecs/c.h"] = "#pragma once\n"
         house["terrain/gltf/inner.h"] = "#pragma once\n#include <tiny_gltf.h>\n"
         house["terrain/gltf/outer.h"] = '#pragma once\n#include "terrain/gltf/inner.h"\n'
         for path, line, reason in planted:

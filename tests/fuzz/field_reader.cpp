@@ -2,7 +2,7 @@
 // every change would fail the hash check.
 
 #include "core/error.h"
-#include "field/format.h"
+#include "field/file/format.h"
 #include "field/inspect.h"
 #include "field/read.h"
 #include "fuzz/memory_file.h"

@@ -1,6 +1,6 @@
 // Runs every start input and every found input of the fuzzers in the ordinary build.
 
-#include "core/mapped_file.h"
+#include "core/files/mapped_file.h"
 #include "fuzz/entries.h"
 #include "fuzz/memory_law.h"
 #include "fuzz/samples.h"

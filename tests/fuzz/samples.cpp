@@ -3,7 +3,7 @@
 #include "bake/settings/meadow.h"
 #include "bake/settings/stroke_file.h"
 #include "bake/tiles/tile_files.h"
-#include "core/mapped_file.h"
+#include "core/files/mapped_file.h"
 #include "field/delta.h"
 #include "field/write.h"
 #include "fuzz/memory_file.h"
@@ -11,9 +11,9 @@
 #include "support/fields/fields.h"
 #include "terrain/load.h"
 #include "terrain/recipe.h"
-#include "unit/terrain/compressed_glb.h"
+#include "unit/terrain/gltf/compressed_glb.h"
 #include "unit/terrain/image_files.h"
-#include "unit/terrain/mesh_text.h"
+#include "unit/terrain/mesh_files/mesh_text.h"
 
 namespace sward::fuzz {
 namespace {

@@ -6,7 +6,7 @@
 #include "core/error.h"
 #include "core/expect.h"
 #include "fuzz/memory_file.h"
-#include "terrain/ground_file.h"
+#include "terrain/files/ground_file.h"
 
 #include <xxhash.h>
 

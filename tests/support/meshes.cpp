@@ -1,6 +1,6 @@
 #include "support/meshes.h"
 
-#include "core/exact_math.h"
+#include "core/math/exact_math.h"
 #include "terrain/heightmap/heightfield.h"
 #include "terrain/procedural/primitives.h"
 #include "terrain/topology/soup.h"

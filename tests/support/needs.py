@@ -52,7 +52,7 @@ NEEDS = {
     "pillow": Need("Pillow", ("python3-skimage",), module("PIL")),  # scikit-image depends on it
     "parallel": Need("GNU parallel", ("parallel",), programs("parallel")),
     "slurm": Need("Slurm", ("munge", "slurmctld", "slurmd", "slurm-client"), programs("munged", "slurmctld", "slurmd", "sbatch")),
-    # The packages themselves are fetched by the first test that uses one (tests/cli/node_readers.py).
+    # The packages themselves are fetched by the first test that uses one (tests/cli/export/node_readers.py).
     "npm packages": Need("gltf-validator, three.js and TinyUSDZ from npm", ("nodejs", "npm"), programs("node")),
     "display": Need("Xvfb and xdotool", ("xvfb", "xdotool"), programs("Xvfb", "xdotool")),
     "groff": Need("groff", ("groff-base",), programs("groff")),

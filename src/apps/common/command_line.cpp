@@ -5,7 +5,7 @@
 #include "apps/common/output.h"
 #include "apps/common/version.h"
 #include "core/error.h"
-#include "core/settings_json.h"
+#include "core/json/settings_json.h"
 
 #include <CLI/CLI.hpp>
 

@@ -1,8 +1,8 @@
 #include "apps/common/interrupt.h"
 
-#include "core/atomic_file.h"
 #include "core/error.h"
 #include "core/expect.h"
+#include "core/files/atomic_file.h"
 #include "core/progress.h"
 
 #include <sys/time.h>

@@ -1,10 +1,10 @@
 #include "apps/common/output.h"
 
-#include "core/atomic_file.h"
 #include "core/error.h"
+#include "core/files/atomic_file.h"
+#include "core/files/mapped_file.h"
 #include "core/log.h"
 #include "core/lower_case.h"
-#include "core/mapped_file.h"
 #include "core/plain_text.h"
 
 #include <algorithm>

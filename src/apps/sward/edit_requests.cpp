@@ -1,14 +1,14 @@
 #include "apps/sward/edit_requests.h"
 
 #include "apps/sward/edit_pick.h"
-#include "apps/sward/output_files.h"
+#include "apps/sward/files/output_files.h"
 #include "bake/paint/stroke_contact.h"
 #include "bake/paint/stroke_move.h"
 #include "bake/settings/stroke_file.h"
-#include "core/atomic_file.h"
 #include "core/error.h"
-#include "core/json_text.h"
-#include "core/settings_json.h"
+#include "core/files/atomic_file.h"
+#include "core/json/json_text.h"
+#include "core/json/settings_json.h"
 #include "field/delta.h"
 #include "field/write.h"
 

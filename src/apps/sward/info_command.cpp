@@ -1,8 +1,8 @@
 #include "apps/common/field_input.h"
-#include "apps/common/log_switches.h"
 #include "apps/common/output.h"
-#include "apps/sward/info_text.h"
+#include "apps/common/terminal/log_switches.h"
 #include "apps/sward/subcommand.h"
+#include "apps/sward/text/info_text.h"
 #include "field/read.h"
 
 #include <CLI/CLI.hpp>

@@ -1,16 +1,16 @@
 #include "apps/common/interrupt.h"
-#include "apps/common/log_switches.h"
 #include "apps/common/output.h"
-#include "apps/common/progress_bar.h"
-#include "apps/sward/bake_arguments.h"
-#include "apps/sward/excluded_input.h"
+#include "apps/common/terminal/log_switches.h"
+#include "apps/common/terminal/progress_bar.h"
+#include "apps/sward/files/working_folder.h"
+#include "apps/sward/options/bake_arguments.h"
+#include "apps/sward/options/excluded_input.h"
 #include "apps/sward/subcommand.h"
-#include "apps/sward/working_folder.h"
 #include "bake/settings/stroke_file.h"
 #include "bake/settings/threads.h"
 #include "bake/tiles/tile_files.h"
-#include "core/atomic_file.h"
 #include "core/error.h"
+#include "core/files/atomic_file.h"
 
 #include <CLI/CLI.hpp>
 

@@ -1,6 +1,6 @@
 #include "apps/common/field_input.h"
-#include "apps/common/log_switches.h"
 #include "apps/common/output.h"
+#include "apps/common/terminal/log_switches.h"
 #include "apps/sward/subcommand.h"
 #include "field/read.h"
 

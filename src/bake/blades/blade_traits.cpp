@@ -6,7 +6,7 @@
 #include "bake/ground/drawn_colors.h"
 #include "bake/ground/tile_region.h"
 #include "bake/sample/triangle_points.h"
-#include "core/exact_math.h"
+#include "core/math/exact_math.h"
 #include "core/random.h"
 
 #include <glm/common.hpp>

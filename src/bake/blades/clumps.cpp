@@ -2,8 +2,8 @@
 
 #include "bake/filter/up_vector.h"
 #include "core/bounds.h"
-#include "core/exact_math.h"
-#include "core/floor.h"
+#include "core/math/exact_math.h"
+#include "core/math/floor.h"
 #include "core/random.h"
 
 #include <glm/common.hpp>

@@ -1,8 +1,8 @@
 #include "bake/settings/meadow.h"
 #include "bake/settings/meadow_json.h"
 #include "core/error.h"
-#include "core/json_text.h"
-#include "core/settings_json.h"
+#include "core/json/json_text.h"
+#include "core/json/settings_json.h"
 
 #include <fmt/ranges.h>
 #include <nlohmann/json.hpp>

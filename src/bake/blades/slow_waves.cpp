@@ -1,7 +1,7 @@
 #include "bake/blades/slow_waves.h"
 
+#include "core/math/wide_registers.h"
 #include "core/random.h"
-#include "core/wide_registers.h"
 #include "shaders/shared/noise.h"
 
 namespace sward::bake {

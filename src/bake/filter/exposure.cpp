@@ -1,7 +1,7 @@
 #include "bake/filter/exposure.h"
 
 #include "bake/filter/up_vector.h"
-#include "core/exact_math.h"
+#include "core/math/exact_math.h"
 #include "core/random.h"
 #include "terrain/topology/triangle_geometry.h"
 

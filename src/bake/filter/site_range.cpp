@@ -1,6 +1,6 @@
 #include "bake/filter/site_range.h"
 
-#include "core/exact_math.h"
+#include "core/math/exact_math.h"
 
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>

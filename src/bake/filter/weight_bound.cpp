@@ -1,7 +1,7 @@
 #include "bake/filter/weight_bound.h"
 
 #include "bake/filter/part_mask.h"
-#include "core/exact_math.h"
+#include "core/math/exact_math.h"
 
 #include <algorithm>
 

@@ -1,7 +1,7 @@
 #include "bake/ground/tile_region.h"
 
 #include "core/error.h"
-#include "core/floor.h"
+#include "core/math/floor.h"
 #include "core/random.h"
 
 #include <glm/common.hpp>

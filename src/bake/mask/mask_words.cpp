@@ -1,7 +1,7 @@
 #include "bake/mask/mask_words.h"
 
+#include "core/json/settings_json.h"
 #include "core/lower_case.h"
-#include "core/settings_json.h"
 
 #include <fmt/ranges.h>
 

@@ -1,6 +1,6 @@
 #include "bake/paint/box_tree.h"
 
-#include "core/spread_bits.h"
+#include "core/math/spread_bits.h"
 
 #include <algorithm>
 #include <cstdint>

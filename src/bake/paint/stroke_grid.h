@@ -1,7 +1,7 @@
 #pragma once
 
 #include "core/bounds.h"
-#include "core/floor.h"
+#include "core/math/floor.h"
 #include "core/random.h"
 
 #include <glm/vec3.hpp>

@@ -1,7 +1,7 @@
 #include "bake/patches/cell_tree.h"
 
-#include "core/floor.h"
-#include "core/spread_bits.h"
+#include "core/math/floor.h"
+#include "core/math/spread_bits.h"
 
 #include <tbb/parallel_for.h>
 #include <tbb/parallel_sort.h>

@@ -1,7 +1,7 @@
 #include "bake/patches/spatial_order.h"
 
 #include "core/bounds.h"
-#include "core/spread_bits.h"
+#include "core/math/spread_bits.h"
 
 #include <glm/common.hpp>
 #include <tbb/parallel_for.h>

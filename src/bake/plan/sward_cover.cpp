@@ -1,7 +1,7 @@
 #include "bake/plan/sward_cover.h"
 
 #include "bake/filter/species_mix.h"
-#include "core/exact_math.h"
+#include "core/math/exact_math.h"
 #include "field/defaults.h"
 #include "shaders/shared/organ.h"
 #include "shaders/shared/physics.h"

@@ -1,7 +1,7 @@
 #include "bake/sample/poisson_lattice.h"
 
 #include "core/error.h"
-#include "core/floor.h"
+#include "core/math/floor.h"
 
 #include <algorithm>
 #include <cmath>

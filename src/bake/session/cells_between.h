@@ -2,7 +2,7 @@
 
 #include "bake/ground/tile_region.h"
 #include "core/bounds.h"
-#include "core/floor.h"
+#include "core/math/floor.h"
 
 #include <set>
 

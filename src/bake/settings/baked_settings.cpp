@@ -2,7 +2,7 @@
 
 #include "bake/settings/meadow_json.h"
 #include "core/error.h"
-#include "core/settings_json.h"
+#include "core/json/settings_json.h"
 
 #include <glm/geometric.hpp>
 #include <nlohmann/json.hpp>

@@ -1,6 +1,6 @@
 #include "bake/settings/habitat.h"
 
-#include "core/exact_math.h"
+#include "core/math/exact_math.h"
 
 #include <algorithm>
 

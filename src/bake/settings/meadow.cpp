@@ -4,9 +4,9 @@
 #include "bake/settings/meadow_json.h"
 #include "core/embedded.h"
 #include "core/error.h"
-#include "core/json_text.h"
-#include "core/mapped_file.h"
-#include "core/settings_json.h"
+#include "core/files/mapped_file.h"
+#include "core/json/json_text.h"
+#include "core/json/settings_json.h"
 
 #include <fmt/ranges.h>
 #include <nlohmann/json.hpp>

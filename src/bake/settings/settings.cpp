@@ -3,7 +3,7 @@
 #include "bake/settings/meadow_json.h"
 #include "bake/settings/stroke_file.h"
 #include "core/error.h"
-#include "core/json_text.h"
+#include "core/json/json_text.h"
 #include "terrain/load.h"
 
 #include <glm/geometric.hpp>

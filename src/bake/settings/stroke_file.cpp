@@ -1,10 +1,10 @@
 #include "bake/settings/stroke_file.h"
 
 #include "core/error.h"
-#include "core/json_text.h"
-#include "core/mapped_file.h"
+#include "core/files/mapped_file.h"
+#include "core/json/json_text.h"
+#include "core/json/settings_json.h"
 #include "core/random.h"
-#include "core/settings_json.h"
 
 #include <fmt/ranges.h>
 #include <nlohmann/json.hpp>

@@ -2,9 +2,9 @@
 
 #include "bake/patches/cell_tree.h"
 #include "bake/patches/patch_tree.h"
-#include "core/piece_file.h"
-#include "field/blade_pieces.h"
+#include "core/files/piece_file.h"
 #include "field/field.h"
+#include "field/file/blade_pieces.h"
 
 #include <cstddef>
 #include <cstdint>

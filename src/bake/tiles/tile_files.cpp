@@ -2,11 +2,11 @@
 
 #include "bake/blades/clumps.h"
 #include "core/error.h"
-#include "core/json_text.h"
-#include "core/mapped_file.h"
-#include "core/settings_json.h"
-#include "terrain/ground_file.h"
-#include "terrain/record_file.h"
+#include "core/files/mapped_file.h"
+#include "core/json/json_text.h"
+#include "core/json/settings_json.h"
+#include "terrain/files/ground_file.h"
+#include "terrain/files/record_file.h"
 
 #include <nlohmann/json.hpp>
 

@@ -2,7 +2,7 @@
 
 #include "bake/patches/display_ground.h"
 #include "bake/sample/surface_sampler.h"
-#include "core/json_text.h"
+#include "core/json/json_text.h"
 
 #include <glm/geometric.hpp>
 #include <nlohmann/json.hpp>

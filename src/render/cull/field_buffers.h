@@ -1,8 +1,8 @@
 #pragma once
 
 #include "field/delta.h"
-#include "field/distributions.h"
 #include "field/field.h"
+#include "field/measure/distributions.h"
 #include "gpu/context/context.h"
 #include "gpu/memory/buffer.h"
 #include "gpu/memory/buffer_upload.h"

@@ -1,7 +1,7 @@
 #pragma once
 
-#include "field/distributions.h"
 #include "field/field.h"
+#include "field/measure/distributions.h"
 #include "gpu/context/context.h"
 #include "gpu/memory/buffer.h"
 #include "gpu/memory/buffer_upload.h"

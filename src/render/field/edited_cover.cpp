@@ -1,6 +1,6 @@
 #include "render/field/edited_cover.h"
 
-#include "field/distributions.h"
+#include "field/measure/distributions.h"
 #include "render/field/cover_corners.h"
 
 #include <algorithm>

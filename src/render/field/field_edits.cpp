@@ -1,6 +1,6 @@
 #include "render/field/field_edits.h"
 
-#include "field/distributions.h"
+#include "field/measure/distributions.h"
 #include "gpu/recording/barrier.h"
 #include "render/shader_names.h"
 #include "shaders/shared/edits.h"

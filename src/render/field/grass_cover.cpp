@@ -1,7 +1,7 @@
 #include "render/field/grass_cover.h"
 
 #include "core/bounds.h"
-#include "field/distributions.h"
+#include "field/measure/distributions.h"
 #include "render/field/cover_corners.h"
 #include "render/field/edited_cover.h"
 

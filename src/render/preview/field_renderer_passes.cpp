@@ -1,5 +1,5 @@
 #include "core/error.h"
-#include "field/distributions.h"
+#include "field/measure/distributions.h"
 #include "gpu/memory/format_kind.h"
 #include "gpu/memory/image_use.h"
 #include "gpu/recording/barrier.h"

@@ -1,7 +1,7 @@
 #include "render/preview/ground_clusters.h"
 
 #include "core/bounds.h"
-#include "core/spread_bits.h"
+#include "core/math/spread_bits.h"
 
 #include <algorithm>
 #include <array>

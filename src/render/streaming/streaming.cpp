@@ -1,7 +1,7 @@
 #include "render/streaming/streaming.h"
 
 #include "core/expect.h"
-#include "core/mapped_file.h"
+#include "core/files/mapped_file.h"
 #include "gpu/recording/barrier.h"
 #include "render/shader_names.h"
 

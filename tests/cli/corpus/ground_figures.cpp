@@ -6,9 +6,9 @@
 #include "bake/bake.h"
 #include "bake/ground/drawn_colors.h"
 #include "core/error.h"
-#include "core/json_text.h"
+#include "core/json/json_text.h"
 #include "terrain/load.h"
-#include "terrain/repeated_ground.h"
+#include "terrain/loading/repeated_ground.h"
 
 #include <fmt/core.h>
 #include <glm/vec3.hpp>

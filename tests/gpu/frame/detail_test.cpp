@@ -1,6 +1,6 @@
 // Level of detail covers as much ground as all blades; its jumps stay below those of a drive.
 
-#include "core/srgb.h"
+#include "core/math/srgb.h"
 #include "picture.h"
 #include "support/fields/fields.h"
 #include "support/gpu/gpu_fixture.h"

@@ -1,7 +1,7 @@
 // The exposure that is chosen for a field shows meadows of any colour as middle grey, over any
 // ground, and clips nothing bright.
 
-#include "core/srgb.h"
+#include "core/math/srgb.h"
 #include "picture.h"
 #include "render/exposure.h"
 #include "render/frame.h"

@@ -1,7 +1,7 @@
 // Tests colliders, sun and air in the picture, and that grass is as bright as the reference at
 // every distance.
 
-#include "core/srgb.h"
+#include "core/math/srgb.h"
 #include "picture.h"
 #include "presentation/look_settings.h"
 #include "support/fields/display_ground.h"

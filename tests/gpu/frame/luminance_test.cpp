@@ -1,7 +1,7 @@
 // Grass is as bright as a reference at every distance: level of detail causes no visible ring by
 // thinning, widening and softening.
 
-#include "core/srgb.h"
+#include "core/math/srgb.h"
 #include "picture.h"
 #include "support/fields/fields.h"
 #include "support/gpu/gpu_fixture.h"

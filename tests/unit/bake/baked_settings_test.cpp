@@ -1,7 +1,7 @@
 #include "bake/settings/baked_settings.h"
 #include "core/error.h"
 #include "unit/bake/bake_settings.h"
-#include "unit/bake/strokes.h"
+#include "unit/bake/paint/strokes.h"
 
 #include <gtest/gtest.h>
 

@@ -7,7 +7,7 @@
 #include "support/meshes.h"
 #include "terrain/heightmap/heightfield.h"
 #include "unit/bake/bake_settings.h"
-#include "unit/bake/place_trial.h"
+#include "unit/bake/sample/place_trial.h"
 
 #include <glm/geometric.hpp>
 #include <glm/gtc/quaternion.hpp>

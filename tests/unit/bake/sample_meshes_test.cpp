@@ -7,7 +7,7 @@
 #include "terrain/procedural/landforms.h"
 #include "terrain/procedural/primitives.h"
 #include "unit/bake/bake_settings.h"
-#include "unit/bake/spread.h"
+#include "unit/bake/sample/spread.h"
 
 #include <glm/geometric.hpp>
 #include <glm/gtc/matrix_transform.hpp>

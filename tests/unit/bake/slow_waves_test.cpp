@@ -1,13 +1,13 @@
 #include "bake/blades/blade_traits.h"
 #include "bake/blades/slow_waves.h"
 #include "bake/plan/sward_cover.h"
+#include "core/math/wide_registers.h"
 #include "core/random.h"
-#include "core/wide_registers.h"
 #include "shaders/shared/noise.h"
 #include "support/meshes.h"
 #include "terrain/heightmap/heightfield.h"
 #include "unit/bake/bake_settings.h"
-#include "unit/bake/place_trial.h"
+#include "unit/bake/sample/place_trial.h"
 
 #include <gtest/gtest.h>
 

@@ -3,7 +3,7 @@
 #include "bake/patches/split_cells.h"
 #include "support/meshes.h"
 #include "unit/bake/bake_settings.h"
-#include "unit/bake/strokes.h"
+#include "unit/bake/paint/strokes.h"
 
 #include <gtest/gtest.h>
 

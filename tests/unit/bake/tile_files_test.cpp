@@ -1,7 +1,7 @@
 #include "bake/patches/patch_tree.h"
 #include "bake/tiles/tile_files.h"
 #include "core/error.h"
-#include "terrain/record_file.h"
+#include "terrain/files/record_file.h"
 
 #include <gtest/gtest.h>
 

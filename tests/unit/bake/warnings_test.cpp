@@ -3,7 +3,7 @@
 #include "bake/whole/warnings.h"
 #include "support/meshes.h"
 #include "unit/bake/bake_settings.h"
-#include "unit/bake/place_trial.h"
+#include "unit/bake/sample/place_trial.h"
 
 #include <glm/geometric.hpp>
 #include <gtest/gtest.h>

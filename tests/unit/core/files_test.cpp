@@ -1,7 +1,7 @@
-#include "core/atomic_file.h"
 #include "core/error.h"
-#include "core/mapped_file.h"
-#include "core/piece_file.h"
+#include "core/files/atomic_file.h"
+#include "core/files/mapped_file.h"
+#include "core/files/piece_file.h"
 
 #include <gtest/gtest.h>
 #include <sys/resource.h>

@@ -1,9 +1,9 @@
 #include "core/error.h"
-#include "core/foreign_bytes.h"
-#include "core/json_text.h"
+#include "core/files/foreign_bytes.h"
+#include "core/json/json_text.h"
+#include "core/json/settings_json.h"
 #include "core/log.h"
 #include "core/plain_text.h"
-#include "core/settings_json.h"
 
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>

@@ -1,6 +1,6 @@
 #include "core/error.h"
-#include "core/json_check.h"
-#include "core/settings_json.h"
+#include "core/json/json_check.h"
+#include "core/json/settings_json.h"
 
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>

@@ -1,5 +1,5 @@
 #include "core/error.h"
-#include "core/json_text.h"
+#include "core/json/json_text.h"
 #include "core/random.h"
 
 #include <gtest/gtest.h>

@@ -1,4 +1,4 @@
-#include "core/new_name.h"
+#include "core/files/new_name.h"
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
 #include "core/error.h"
-#include "core/settings_json.h"
+#include "core/json/settings_json.h"
 
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>

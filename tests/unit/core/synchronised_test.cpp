@@ -1,7 +1,7 @@
 // A file's bytes are on the disk before its name is, and the name before the program goes on. This
 // program has its own fsync(), which is called in place of the C library's.
 
-#include "core/atomic_file.h"
+#include "core/files/atomic_file.h"
 
 #include <gtest/gtest.h>
 #include <sys/stat.h>

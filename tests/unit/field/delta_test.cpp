@@ -1,5 +1,5 @@
 #include "core/error.h"
-#include "core/mapped_file.h"
+#include "core/files/mapped_file.h"
 #include "field/delta.h"
 #include "unit/field/sample_field.h"
 

@@ -1,5 +1,5 @@
-#include "field/distributions.h"
-#include "field/nearest_root.h"
+#include "field/measure/distributions.h"
+#include "field/measure/nearest_root.h"
 #include "support/fields/fields.h"
 
 #include <glm/geometric.hpp>

@@ -1,5 +1,5 @@
-#include "core/mapped_file.h"
-#include "field/format.h"
+#include "core/files/mapped_file.h"
+#include "field/file/format.h"
 #include "field/write.h"
 #include "shaders/shared/blade.h"
 #include "unit/field/sample_field.h"

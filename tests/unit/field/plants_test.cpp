@@ -1,9 +1,9 @@
 // Compound plants in a field file.
 #include "core/error.h"
-#include "core/mapped_file.h"
+#include "core/files/mapped_file.h"
 #include "field/inspect.h"
 #include "field/join.h"
-#include "field/nearest_root.h"
+#include "field/measure/nearest_root.h"
 #include "field/read.h"
 #include "field/write.h"
 #include "unit/field/sample_field.h"

@@ -1,4 +1,4 @@
-#include "interchange/usda_text.h"
+#include "interchange/usda/usda_text.h"
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
-#include "terrain/bare_names.h"
-#include "unit/terrain/glb_builder.h"
+#include "terrain/loading/bare_names.h"
+#include "unit/terrain/gltf/glb_builder.h"
 
 #include <gmock/gmock.h>
 

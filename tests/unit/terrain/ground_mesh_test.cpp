@@ -2,7 +2,7 @@
 #include "support/meshes.h"
 #include "terrain/ground_mesh.h"
 #include "terrain/topology/soup.h"
-#include "unit/terrain/glb_builder.h"
+#include "unit/terrain/gltf/glb_builder.h"
 
 #include <glm/geometric.hpp>
 #include <gtest/gtest.h>

@@ -3,7 +3,7 @@
 #include "core/error.h"
 #include "terrain/heightmap/height_samples.h"
 #include "terrain/image/channel_image.h"
-#include "unit/terrain/glb_builder.h"
+#include "unit/terrain/gltf/glb_builder.h"
 #include "unit/terrain/image_files.h"
 
 #include <gmock/gmock.h>

@@ -1,7 +1,7 @@
 #include "core/error.h"
 #include "terrain/heightmap/height_samples.h"
 #include "terrain/heightmap/heightfield.h"
-#include "unit/terrain/glb_builder.h"
+#include "unit/terrain/gltf/glb_builder.h"
 #include "unit/terrain/image_files.h"
 
 #include <glm/geometric.hpp>

@@ -1,7 +1,7 @@
 #include "core/error.h"
 #include "support/meshes.h"
 #include "terrain/load.h"
-#include "unit/terrain/glb_builder.h"
+#include "unit/terrain/gltf/glb_builder.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

@@ -1,7 +1,7 @@
 #include "core/random.h"
 #include "terrain/image/channel_image.h"
 #include "terrain/unit_colors.h"
-#include "unit/terrain/glb_builder.h"
+#include "unit/terrain/gltf/glb_builder.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

@@ -1,5 +1,5 @@
 #include "support/meshes.h"
-#include "terrain/plausibility.h"
+#include "terrain/loading/plausibility.h"
 #include "terrain/procedural/landforms.h"
 #include "terrain/procedural/primitives.h"
 

@@ -1,8 +1,8 @@
 #include "core/error.h"
 #include "core/random.h"
 #include "support/meshes.h"
-#include "terrain/repeated_ground.h"
-#include "unit/terrain/glb_builder.h"
+#include "terrain/loading/repeated_ground.h"
+#include "unit/terrain/gltf/glb_builder.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

@@ -2,7 +2,7 @@
 #include "support/meshes.h"
 #include "terrain/topology/surface_features.h"
 #include "terrain/topology/topology.h"
-#include "unit/terrain/glb_builder.h"
+#include "unit/terrain/gltf/glb_builder.h"
 
 #include <gtest/gtest.h>
 

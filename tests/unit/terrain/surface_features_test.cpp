@@ -1,4 +1,4 @@
-#include "core/exact_math.h"
+#include "core/math/exact_math.h"
 #include "support/meshes.h"
 #include "terrain/heightmap/heightfield.h"
 #include "terrain/procedural/landforms.h"

@@ -1,4 +1,4 @@
-#include "apps/common/progress_bar.h"
+#include "apps/common/terminal/progress_bar.h"
 #include "apps/sward_view/fields/baking.h"
 #include "apps/sward_view/fields/meadow_requests.h"
 

@@ -1,6 +1,6 @@
 #include "apps/sward_view/scene/camera_path.h"
-#include "core/atomic_file.h"
 #include "core/error.h"
+#include "core/files/atomic_file.h"
 
 #include <glm/geometric.hpp>
 #include <gtest/gtest.h>

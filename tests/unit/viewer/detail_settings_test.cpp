@@ -1,6 +1,6 @@
 // The keys `culling` and `detail` of settings files: what they set, and what they refuse.
 #include "core/error.h"
-#include "core/settings_json.h"
+#include "core/json/settings_json.h"
 #include "presentation/detail_settings.h"
 
 #include <gtest/gtest.h>

@@ -1,4 +1,4 @@
-#include "apps/common/progress_bar.h"
+#include "apps/common/terminal/progress_bar.h"
 #include "core/log.h"
 
 #include <gtest/gtest.h>

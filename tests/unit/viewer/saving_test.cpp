@@ -1,7 +1,7 @@
 #include "apps/sward_view/fields/shown_field.h"
 #include "apps/sward_view/files/free_name.h"
 #include "core/error.h"
-#include "core/mapped_file.h"
+#include "core/files/mapped_file.h"
 #include "field/write.h"
 #include "support/fields/fields.h"
 

@@ -2,12 +2,12 @@
 
 #include "apps/sward_view/fields/meadow_requests.h"
 #include "apps/sward_view/files/free_name.h"
-#include "core/atomic_file.h"
 #include "core/embedded.h"
 #include "core/error.h"
-#include "core/json_text.h"
-#include "core/mapped_file.h"
-#include "core/settings_json.h"
+#include "core/files/atomic_file.h"
+#include "core/files/mapped_file.h"
+#include "core/json/json_text.h"
+#include "core/json/settings_json.h"
 
 #include <nlohmann/json.hpp>
 

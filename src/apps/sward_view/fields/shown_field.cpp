@@ -1,8 +1,8 @@
 #include "apps/sward_view/fields/shown_field.h"
 
-#include "core/atomic_file.h"
 #include "core/error.h"
-#include "core/mapped_file.h"
+#include "core/files/atomic_file.h"
+#include "core/files/mapped_file.h"
 
 #include <fmt/core.h>
 

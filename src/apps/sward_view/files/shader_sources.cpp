@@ -2,8 +2,8 @@
 
 #include "apps/sward_view/files/child_process.h"
 #include "core/error.h"
+#include "core/files/mapped_file.h"
 #include "core/log.h"
-#include "core/mapped_file.h"
 
 #include <sys/wait.h>
 #include <unistd.h>

@@ -1,8 +1,8 @@
 #include "apps/sward_view/files/state_file.h"
 
 #include "apps/sward_view/files/file_lock.h"
-#include "core/atomic_file.h"
-#include "core/mapped_file.h"
+#include "core/files/atomic_file.h"
+#include "core/files/mapped_file.h"
 
 #include <chrono>
 #include <cstdlib>

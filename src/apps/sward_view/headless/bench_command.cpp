@@ -1,5 +1,5 @@
 #include "apps/common/output.h"
-#include "apps/common/progress_bar.h"
+#include "apps/common/terminal/progress_bar.h"
 #include "apps/sward_view/commands.h"
 #include "apps/sward_view/graphics.h"
 #include "apps/sward_view/headless/copy_bandwidth.h"

@@ -1,7 +1,7 @@
 #include "apps/sward_view/headless/blade_csv.h"
 
-#include "core/atomic_file.h"
 #include "core/expect.h"
+#include "core/files/atomic_file.h"
 #include "shaders/shared/culling.h"
 
 #include <fmt/format.h>

@@ -3,7 +3,7 @@
 #include "apps/common/interrupt.h"
 #include "core/embedded.h"
 #include "core/error.h"
-#include "core/json_text.h"
+#include "core/json/json_text.h"
 #include "gpu/memory/buffer.h"
 #include "gpu/memory/readback.h"
 #include "gpu/pipeline/compute_pipeline.h"

@@ -1,5 +1,5 @@
-#include "apps/common/log_switches.h"
 #include "apps/common/output.h"
+#include "apps/common/terminal/log_switches.h"
 #include "apps/sward_view/commands.h"
 #include "apps/sward_view/graphics.h"
 #include "gpu/device/device_choice.h"

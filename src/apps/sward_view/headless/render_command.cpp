@@ -1,13 +1,13 @@
 #include "apps/common/output.h"
 #include "apps/common/parse_text.h"
-#include "apps/common/progress_bar.h"
+#include "apps/common/terminal/progress_bar.h"
 #include "apps/sward_view/commands.h"
 #include "apps/sward_view/files/frame_names.h"
 #include "apps/sward_view/graphics.h"
 #include "apps/sward_view/headless/blade_csv.h"
 #include "apps/sward_view/headless/headless.h"
-#include "core/atomic_file.h"
 #include "core/error.h"
+#include "core/files/atomic_file.h"
 #include "core/log.h"
 
 #include <CLI/CLI.hpp>

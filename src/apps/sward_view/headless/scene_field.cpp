@@ -1,10 +1,10 @@
 #include "apps/sward_view/headless/scene_field.h"
 
 #include "apps/common/interrupt.h"
-#include "apps/common/progress_bar.h"
 #include "apps/common/temporary_folder.h"
-#include "core/atomic_file.h"
+#include "apps/common/terminal/progress_bar.h"
 #include "core/error.h"
+#include "core/files/atomic_file.h"
 #include "core/log.h"
 
 #include <chrono>

@@ -1,6 +1,6 @@
 #include "apps/sward_view/interface/control_map.h"
 
-#include "core/json_text.h"
+#include "core/json/json_text.h"
 
 #include <nlohmann/json.hpp>
 

@@ -1,6 +1,6 @@
 #include "apps/sward_view/interface/interface.h"
 
-#include "core/srgb.h"
+#include "core/math/srgb.h"
 #include "gpu/context/check.h"
 #include "gpu/context/debug.h"
 #include "gpu/recording/commands.h"

@@ -2,7 +2,7 @@
 
 #include "core/embedded.h"
 #include "core/expect.h"
-#include "core/srgb.h"
+#include "core/math/srgb.h"
 
 #include <glm/common.hpp>
 

@@ -4,8 +4,8 @@
 #include "apps/sward_view/files/state_file.h"
 #include "apps/sward_view/scene/camera_file.h"
 #include "core/error.h"
-#include "core/json_text.h"
-#include "core/settings_json.h"
+#include "core/json/json_text.h"
+#include "core/json/settings_json.h"
 
 #include <fmt/core.h>
 #include <nlohmann/json.hpp>

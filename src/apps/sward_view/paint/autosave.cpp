@@ -1,8 +1,8 @@
 #include "apps/sward_view/paint/autosave.h"
 
-#include "core/atomic_file.h"
 #include "core/error.h"
-#include "core/json_text.h"
+#include "core/files/atomic_file.h"
+#include "core/json/json_text.h"
 
 #include <fmt/core.h>
 #include <nlohmann/json.hpp>

@@ -2,7 +2,7 @@
 
 #include "apps/sward_view/files/child_process.h"
 #include "core/error.h"
-#include "core/json_text.h"
+#include "core/json/json_text.h"
 #include "core/log.h"
 
 #include <fcntl.h>

@@ -2,9 +2,9 @@
 
 #include "apps/sward_view/paint/brush_values.h"
 #include "core/error.h"
-#include "core/json_check.h"
-#include "core/json_text.h"
-#include "core/mapped_file.h"
+#include "core/files/mapped_file.h"
+#include "core/json/json_check.h"
+#include "core/json/json_text.h"
 
 #include <fmt/core.h>
 #include <glm/common.hpp>

@@ -1,7 +1,7 @@
 #include "apps/common/field_input.h"
 #include "apps/sward_view/interface/units.h"
 #include "apps/sward_view/panels/panels.h"
-#include "core/json_text.h"
+#include "core/json/json_text.h"
 
 #include <fmt/core.h>
 #include <nlohmann/json.hpp>

@@ -1,7 +1,7 @@
 #include "apps/sward_view/picture/picture_mean.h"
 
 #include "core/expect.h"
-#include "core/srgb.h"
+#include "core/math/srgb.h"
 
 #include <algorithm>
 #include <array>

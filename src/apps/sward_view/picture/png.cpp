@@ -1,8 +1,8 @@
 #include "apps/sward_view/picture/png.h"
 
-#include "core/atomic_file.h"
 #include "core/error.h"
 #include "core/expect.h"
+#include "core/files/atomic_file.h"
 
 #include <stb/stb_image_write.h>
 

@@ -1,8 +1,8 @@
 #include "apps/sward_view/scene/camera_file.h"
 
 #include "core/error.h"
-#include "core/mapped_file.h"
-#include "core/settings_json.h"
+#include "core/files/mapped_file.h"
+#include "core/json/settings_json.h"
 #include "presentation/camera_presets.h"
 
 #include <glm/geometric.hpp>

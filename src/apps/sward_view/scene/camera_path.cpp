@@ -3,9 +3,9 @@
 #include "apps/sward_view/scene/camera_file.h"
 #include "core/error.h"
 #include "core/expect.h"
-#include "core/json_text.h"
-#include "core/mapped_file.h"
-#include "core/settings_json.h"
+#include "core/files/mapped_file.h"
+#include "core/json/json_text.h"
+#include "core/json/settings_json.h"
 
 #include <fmt/core.h>
 #include <glm/common.hpp>

@@ -2,7 +2,7 @@
 
 #include "apps/common/parse_text.h"
 #include "core/error.h"
-#include "core/settings_json.h"
+#include "core/json/settings_json.h"
 #include "render/cull_tests.h"
 
 #include <algorithm>

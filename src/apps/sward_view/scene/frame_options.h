@@ -1,6 +1,6 @@
 #pragma once
 
-#include "apps/common/log_switches.h"
+#include "apps/common/terminal/log_switches.h"
 #include "apps/sward_view/scene/scene.h"
 #include "render/field_renderer.h"
 #include "render/frame_settings.h"

@@ -2,9 +2,9 @@
 
 #include "apps/sward_view/scene/frame_options.h"
 #include "core/error.h"
-#include "core/json_text.h"
-#include "core/mapped_file.h"
-#include "core/settings_json.h"
+#include "core/files/mapped_file.h"
+#include "core/json/json_text.h"
+#include "core/json/settings_json.h"
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>

@@ -2,7 +2,7 @@
 
 #include "apps/sward_view/interface/units.h"
 #include "core/error.h"
-#include "core/json_text.h"
+#include "core/json/json_text.h"
 #include "core/log.h"
 
 #include <fmt/core.h>

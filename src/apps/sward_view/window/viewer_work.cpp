@@ -1,7 +1,7 @@
 // The user's work: what is not saved, and files that exist.
 #include "apps/sward_view/files/free_name.h"
 #include "apps/sward_view/window/viewer.h"
-#include "core/atomic_file.h"
+#include "core/files/atomic_file.h"
 #include "core/log.h"
 
 #include <fmt/core.h>
