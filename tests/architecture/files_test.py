@@ -1,9 +1,10 @@
-"""What holds for every file of the repository: length, licence, and no word about a machine."""
+"""What holds for every file of the repository: length, folder, licence, and no word about a machine."""
 
 import re
 import statistics
 import subprocess
 import unittest
+from collections import Counter
 from fnmatch import fnmatch
 from pathlib import Path
 
@@ -15,6 +16,17 @@ SOURCES = (".cpp", ".h", ".py", ".cmake") + SHADERS
 LONGEST_SOURCE = 600
 LONGEST_HEADER = 120
 LARGEST_MEDIAN = 199
+MAX_FILES = 25
+# Folders that hold more, and how many they may. These numbers only fall.
+LARGER_FOLDERS = {
+    "shaders/raster": 29,
+    "shaders/resolve": 32,
+    "shaders/shared": 34,
+    "src/render": 58,
+    "src/render/field": 32,
+    "src/render/preview": 28,
+    "tests/gpu/frame": 30,
+}
 
 
 def tracked_files():
@@ -68,6 +80,31 @@ class Sizes(unittest.TestCase):
             lengths = [lines_of(path) for path in self.sources if Path(path).suffix in suffixes]
             with self.subTest(suffixes=suffixes, files=len(lengths)):
                 self.assertLessEqual(statistics.median(lengths), LARGEST_MEDIAN)
+
+
+def crowded(paths, larger):
+    """What is wrong with the number of files in each folder: those below are not counted."""
+    counts = Counter(path.rpartition("/")[0] for path in paths
+                     if path.startswith(("src/", "terrain/", "shaders/", "tests/"))
+                     and not path.startswith("tests/fuzz/corpus/"))  # what fuzzers have found
+    wrong = [f"{folder}: {count} files of its own, {larger.get(folder, MAX_FILES)} are allowed"
+             for folder, count in sorted(counts.items()) if count > larger.get(folder, MAX_FILES)]
+    return wrong + [f"{folder}: {counts[folder]} files need no exception"
+                    for folder in sorted(larger) if counts[folder] <= MAX_FILES]
+
+
+class Folders(unittest.TestCase):
+    def test_no_folder_is_crowded(self):
+        self.assertEqual(crowded(tracked_files(), LARGER_FOLDERS), [], f"a folder holds {MAX_FILES} files at most")
+
+    def test_a_crowded_folder_is_found(self):
+        full = [f"src/bake/{i}.cpp" for i in range(MAX_FILES)]
+        below = [f"src/bake/plan/{i}.cpp" for i in range(MAX_FILES)]
+        self.assertEqual(crowded(full + below, {}), [])
+        self.assertIn("src/bake: 26 files", crowded([*full, *below, "src/bake/CMakeLists.txt"], {})[0])
+        self.assertEqual(crowded([*full, "src/bake/one.h"], {"src/bake": 26}), [])
+        self.assertIn("src/bake: 27 files", crowded([*full, "src/bake/one.h", "src/bake/two.h"], {"src/bake": 26})[0])
+        self.assertIn("no exception", crowded(full, {"src/bake": 26})[0])
 
 
 class Licences(unittest.TestCase):
