@@ -32,26 +32,17 @@ public:
 
 private:
     using Clock = FrameTimes::Clock;
-    // viewer.cpp: the frame loop
+    // viewer.cpp: the frame loop, and drawing while nothing changes
     void look();
     bool draw();
     bool drawMoving();
     void present(const gpu::FrameRing::Frame& frame, const gpu::Swapchain::Target& target);
     void keepTime();
     void tell();
-    // viewer_work.cpp: the user's work; viewer_rest.cpp: drawing while nothing changes
-    bool isDone();
-    bool closeTopmost();
-    void askToSave(OpenedFields fields, const std::string& verb, std::function<void()> act);
-    void saveField(OpenedField& field, const std::filesystem::path& path, bool replaces);
-    void writeUnlessTaken(const std::filesystem::path& path,
-                          std::function<void(const std::filesystem::path&, bool)> write);
-    void writeText(const std::filesystem::path& path, std::string text);
-    void startSequence();
     bool hasChanged();
     AtRest::Draws drawsNext();
     bool drawRefined(AtRest::Draws draws);
-    // viewer_input.cpp: user input; viewer_paint.cpp: the brush
+    // viewer_input.cpp: mouse and keys
     void steer(Input& input);
     KeyboardFocus::Keys keysForControls(Input& input) const;
     void pressKeys(const Input& input);
@@ -59,11 +50,11 @@ private:
     void useBookmark(const KeyPress& key);
     bool handleColliders(const Input& input, bool mouse);
     void pick(glm::vec2 pixel);
-    void record();
     Pane paneBesidePanel() const;
     std::uint32_t pictureShift() const;
     Sight sightAt(glm::vec2 place) const;
     Style::Scale uiScale() const;
+    // viewer_paint.cpp: the brush
     void steerBrush(Input& input, bool mouse);
     void followPainter();
     void fulfilPainting(const Requests& requests);
@@ -71,12 +62,13 @@ private:
     void startPainting(std::optional<std::filesystem::path> left);
     void endPainting();
     void drawEditable(bool isEditable);
-    // viewer_requests.cpp: what takes longer than a frame; viewer_fields.cpp: the shown fields
+    // viewer_requests.cpp: what takes longer than a frame: requests, shown fields, saving
     void fulfil();
     void fulfilFiles(const Requests& requests);
     void complain(const std::string& message);
     void notice(const std::string& message);
     void write(const gpu::Image& image);
+    void record();
     void fulfilFields(const Requests& requests);
     void open(std::vector<std::string> inputs);
     void exchange(std::size_t member, const std::string& input, const MeadowRequests& requests);
@@ -85,6 +77,14 @@ private:
     void choose(std::size_t member);
     void watch();
     void reloadShaders();
+    bool isDone();
+    bool closeTopmost();
+    void askToSave(OpenedFields fields, const std::string& verb, std::function<void()> act);
+    void saveField(OpenedField& field, const std::filesystem::path& path, bool replaces);
+    void writeUnlessTaken(const std::filesystem::path& path,
+                          std::function<void(const std::filesystem::path&, bool)> write);
+    void writeText(const std::filesystem::path& path, std::string text);
+    void startSequence();
     Window& window_;
     const ViewerOptions& options_;
     gpu::Instance instance_;
