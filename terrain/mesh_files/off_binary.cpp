@@ -67,6 +67,40 @@ std::size_t numbersOf(std::string_view keyword)
            (keyword.find("ST") != std::string_view::npos ? 2U : 0U);
 }
 
+// Appends a vertex of so many numbers as a line; false if there are fewer.
+bool appendVertex(Reader& reader, std::size_t numbers, std::string& text)
+{
+    for (std::size_t n = 0; n < numbers; ++n) {
+        float number = 0.0f;
+        if (!reader.read(number))
+            return false;
+        // With a point: no colour is a byte.
+        fmt::format_to(std::back_inserter(text), "{:#} ", number);
+    }
+    text.push_back('\n');
+    return true;
+}
+
+// Appends a face as a line, without its colour; false if it is none.
+bool appendFace(Reader& reader, std::uint32_t vertices, bool hasColor, std::string& text)
+{
+    const auto end = std::back_inserter(text);
+    std::uint32_t corners = 0;
+    if (!reader.read(corners) || corners == 0 || corners > reader.wordsLeft())
+        return false;
+    fmt::format_to(end, "{}", corners);
+    for (std::uint32_t c = 0; c < corners; ++c) {
+        std::uint32_t vertex = 0;
+        reader.read(vertex);
+        if (vertex >= vertices)
+            return false;
+        fmt::format_to(end, " {}", vertex);
+    }
+    text.push_back('\n');
+    std::uint32_t components = 0;
+    return !hasColor || (reader.read(components) && components <= 4 && reader.skip(components));
+}
+
 // The text, if this layout consumes the body exactly.
 std::optional<std::string> textOf(std::string_view keyword, std::string_view body,
                                   const Layout& layout)
@@ -81,34 +115,12 @@ std::optional<std::string> textOf(std::string_view keyword, std::string_view bod
         return std::nullopt;
 
     std::string text = fmt::format("{}\n{} {} 0\n", keyword, vertices, faces);
-    const auto end = std::back_inserter(text);
-    for (std::uint32_t i = 0; i < vertices; ++i) {
-        for (std::size_t n = 0; n < numbers; ++n) {
-            float number = 0.0f;
-            if (!reader.read(number))
-                return std::nullopt;
-            fmt::format_to(end, "{:#} ", number); // with a point: no colour is a byte
-        }
-        text.push_back('\n');
-    }
-    for (std::uint32_t i = 0; i < faces; ++i) {
-        std::uint32_t corners = 0;
-        if (!reader.read(corners) || corners == 0 || corners > reader.wordsLeft())
+    for (std::uint32_t i = 0; i < vertices; ++i)
+        if (!appendVertex(reader, numbers, text))
             return std::nullopt;
-        fmt::format_to(end, "{}", corners);
-        for (std::uint32_t c = 0; c < corners; ++c) {
-            std::uint32_t vertex = 0;
-            reader.read(vertex);
-            if (vertex >= vertices)
-                return std::nullopt;
-            fmt::format_to(end, " {}", vertex);
-        }
-        text.push_back('\n');
-        std::uint32_t components = 0;
-        if (layout.hasFaceColors &&
-            (!reader.read(components) || components > 4 || !reader.skip(components)))
+    for (std::uint32_t i = 0; i < faces; ++i)
+        if (!appendFace(reader, vertices, layout.hasFaceColors, text))
             return std::nullopt;
-    }
     return reader.isAtEnd() ? std::optional(std::move(text)) : std::nullopt;
 }
 

@@ -4,6 +4,7 @@
 #include "terrain/mesh_files/text_cursor.h"
 
 #include <algorithm>
+#include <array>
 #include <optional>
 #include <utility>
 #include <vector>
@@ -60,6 +61,44 @@ std::string_view wordBehindComments(TextCursor& words)
     return word;
 }
 
+// Three counts: vertices, faces, edges; none if these words are no counts below the bytes of the
+// file.
+std::optional<std::array<std::size_t, 3>> countsOf(TextCursor& words, std::size_t bytes)
+{
+    std::array<std::size_t, 3> counts{};
+    for (std::size_t& count : counts) {
+        const auto number = parseCount(wordBehindComments(words));
+        if (!number || *number > bytes)
+            return std::nullopt;
+        count = *number;
+    }
+    return counts;
+}
+
+// Appends a line of `count` words; false if there are fewer.
+bool appendLine(TextCursor& words, std::size_t count, std::string& text)
+{
+    for (std::size_t i = 0; i < count; ++i) {
+        const std::string_view word = wordBehindComments(words);
+        if (word.empty())
+            return false;
+        text.append(word).append(1, ' ');
+    }
+    text.push_back('\n');
+    return true;
+}
+
+// Appends a face: the count of its corners, and these; false if it is none.
+bool appendFace(TextCursor& words, std::size_t bytes, std::string& text)
+{
+    const std::string_view word = wordBehindComments(words);
+    const auto corners = parseCount(word);
+    if (!corners || *corners > bytes)
+        return false;
+    text.append(word).append(1, ' ');
+    return appendLine(words, *corners, text);
+}
+
 // A text whose elements share lines, with a line for each; none if it has lines enough and its
 // counts are on one, or if the words of `body`, which follows the keyword, are not exactly its
 // elements of positions and normals.
@@ -69,41 +108,21 @@ std::optional<std::string> withLines(std::string_view keyword, std::string_view 
         return std::nullopt;
     const std::size_t numbers = keyword.find('N') != std::string_view::npos ? 6 : 3;
     TextCursor words(body);
-    std::size_t counts[3];
-    for (std::size_t& count : counts) {
-        const auto number = parseCount(wordBehindComments(words));
-        if (!number || *number > body.size())
-            return std::nullopt;
-        count = *number;
-    }
-    const auto [vertices, faces, edges] = counts;
+    const auto counts = countsOf(words, body.size());
+    if (!counts)
+        return std::nullopt;
+    const auto [vertices, faces, edges] = *counts;
     const std::size_t begin = words.offset();
     if (filledLines(body.substr(0, begin), '#') == 1 &&
         filledLines(body.substr(begin), '#') >= vertices + faces)
         return std::nullopt;
     std::string text = fmt::format("{}\n{} {} {}\n", keyword, vertices, faces, edges);
-    const auto take = [&](std::size_t count) {
-        for (std::size_t i = 0; i < count; ++i) {
-            const std::string_view word = wordBehindComments(words);
-            if (word.empty())
-                return false;
-            text.append(word).append(1, ' ');
-        }
-        text.push_back('\n');
-        return true;
-    };
     for (std::size_t i = 0; i < vertices; ++i)
-        if (!take(numbers))
+        if (!appendLine(words, numbers, text))
             return std::nullopt;
-    for (std::size_t i = 0; i < faces; ++i) {
-        const std::string_view word = wordBehindComments(words);
-        const auto corners = parseCount(word);
-        if (!corners || *corners > body.size())
+    for (std::size_t i = 0; i < faces; ++i)
+        if (!appendFace(words, body.size(), text))
             return std::nullopt;
-        text.append(word).append(1, ' ');
-        if (!take(*corners))
-            return std::nullopt;
-    }
     return wordBehindComments(words).empty() ? std::optional(std::move(text)) : std::nullopt;
 }
 

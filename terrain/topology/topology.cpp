@@ -100,24 +100,95 @@ std::vector<glm::dvec3> faceNormals(const GroundMesh& mesh)
     return normals;
 }
 
+// The triangles' corners as welded vertices.
+std::vector<glm::uvec3> weldedTriangles(const GroundMesh& mesh, const Topology& topology)
+{
+    std::vector<glm::uvec3> triangles = mesh.triangles;
+    for (glm::uvec3& t : triangles)
+        t = {topology.weldOf[t.x], topology.weldOf[t.y], topology.weldOf[t.z]};
+    return triangles;
+}
+
+// Marks and counts borders, creases and broken edges.
+class EdgeMarker {
+public:
+    // All must outlive it. Triangles that meet at a smaller cosine than `smoothest` make a crease.
+    EdgeMarker(const Adjacency& adjacency, const std::vector<glm::dvec3>& normals, double smoothest,
+               Topology& topology)
+        : adjacency_(adjacency)
+        , normals_(normals)
+        , smoothest_(smoothest)
+        , topology_(topology)
+    {
+        topology.borderEdges.assign(normals.size(), 0);
+        topology.creaseEdges.assign(normals.size(), 0);
+        topology.brokenEdges.assign(normals.size(), 0);
+    }
+
+    void mark(std::uint32_t i)
+    {
+        const bool isCollapsed = adjacency_.collapsed[i] != 0;
+        topology_.degenerateTriangles += isCollapsed || !hasNormal(i) ? 1U : 0U;
+        if (isCollapsed)
+            return;
+        topology_.duplicateTriangles += isRepeated(i) ? 1U : 0U;
+        for (glm::length_t e = 0; e < 3; ++e) {
+            if (adjacency_.neighbours[i][e] == Adjacency::none)
+                markBorder(i, e);
+            else
+                markCrease(i, e);
+        }
+    }
+
+private:
+    static std::uint8_t bitOf(glm::length_t edge) { return static_cast<std::uint8_t>(1U << edge); }
+    bool hasNormal(std::uint32_t i) const { return normals_[i] != glm::dvec3(0.0); }
+    bool isRepeated(std::uint32_t i) const { return adjacency_.originalOf[i] != i; }
+
+    void markBorder(std::uint32_t i, glm::length_t e)
+    {
+        topology_.borderEdges[i] |= bitOf(e);
+        const bool isSeam =
+            !topology_.seamEdges.empty() && (topology_.seamEdges[i] & bitOf(e)) != 0;
+        topology_.borderEdgeCount += isRepeated(i) || isSeam ? 0U : 1U;
+    }
+
+    void markCrease(std::uint32_t i, glm::length_t e)
+    {
+        const std::uint32_t other = adjacency_.neighbours[i][e];
+        const bool crowded = (adjacency_.crowdedEdges[i] & bitOf(e)) != 0;
+        const bool reversed = (adjacency_.reversedEdges[i] & bitOf(e)) != 0;
+        const bool bends =
+            hasNormal(i) && hasNormal(other) && glm::dot(normals_[i], normals_[other]) < smoothest_;
+        // A repeated triangle shares no normal with its original or its neighbours.
+        const bool repeated = isRepeated(i);
+        if (crowded || reversed || bends || repeated)
+            topology_.creaseEdges[i] |= bitOf(e);
+        if (crowded || reversed)
+            topology_.brokenEdges[i] |= bitOf(e);
+        // Both triangles visit the edge; count it once.
+        if ((reversed || bends) && !crowded && !repeated && i < other)
+            ++topology_.creaseEdgeCount;
+    }
+
+    const Adjacency& adjacency_;
+    const std::vector<glm::dvec3>& normals_;
+    double smoothest_;
+    Topology& topology_;
+};
+
 } // namespace
 
 Topology analyse(const GroundMesh& mesh, double creaseAngle, Seams seams)
 {
     Topology topology;
     topology.weldOf = weld(mesh.positions, topology.weldedVertices);
-    std::vector<glm::uvec3> triangles = mesh.triangles;
-    for (glm::uvec3& t : triangles)
-        t = {topology.weldOf[t.x], topology.weldOf[t.y], topology.weldOf[t.z]};
-
+    std::vector<glm::uvec3> triangles = weldedTriangles(mesh, topology);
     Adjacency adjacency = findNeighbours(triangles, topology.weldedVertices);
     topology.seamVertexCount =
         weldSeams(mesh, triangles, adjacency, topology.weldOf, topology.weldedVertices);
     if (topology.seamVertexCount > 0) {
-        for (std::size_t i = 0; i < triangles.size(); ++i) {
-            const glm::uvec3 t = mesh.triangles[i];
-            triangles[i] = {topology.weldOf[t.x], topology.weldOf[t.y], topology.weldOf[t.z]};
-        }
+        triangles = weldedTriangles(mesh, topology);
         adjacency = findNeighbours(triangles, topology.weldedVertices);
     }
     TJunctions junctions;
@@ -132,42 +203,9 @@ Topology analyse(const GroundMesh& mesh, double creaseAngle, Seams seams)
     findComponents(triangles, adjacency, junctions.neighbours, topology);
 
     const std::vector<glm::dvec3> normals = faceNormals(mesh);
-    const double smoothest = exactSinCos(creaseAngle).cos;
-    topology.borderEdges.assign(triangles.size(), 0);
-    topology.creaseEdges.assign(triangles.size(), 0);
-    topology.brokenEdges.assign(triangles.size(), 0);
-    for (std::uint32_t i = 0; i < triangles.size(); ++i) {
-        if (adjacency.collapsed[i] != 0 || normals[i] == glm::dvec3(0.0))
-            ++topology.degenerateTriangles;
-        if (adjacency.collapsed[i] != 0)
-            continue;
-        const bool repeated = adjacency.originalOf[i] != i;
-        topology.duplicateTriangles += repeated ? 1U : 0U;
-        for (glm::length_t e = 0; e < 3; ++e) {
-            const auto bit = static_cast<std::uint8_t>(1U << e);
-            const std::uint32_t other = adjacency.neighbours[i][e];
-            if (other == Adjacency::none) {
-                topology.borderEdges[i] |= bit;
-                const bool isSeam =
-                    !topology.seamEdges.empty() && (topology.seamEdges[i] & bit) != 0;
-                topology.borderEdgeCount += repeated || isSeam ? 0U : 1U;
-                continue;
-            }
-            // A repeated triangle shares no normal with its original or its neighbours.
-            const bool crowded = (adjacency.crowdedEdges[i] & bit) != 0;
-            const bool reversed = (adjacency.reversedEdges[i] & bit) != 0;
-            const double turn = glm::dot(normals[i], normals[other]);
-            const bool bends = normals[i] != glm::dvec3(0.0) && normals[other] != glm::dvec3(0.0) &&
-                               turn < smoothest;
-            if (crowded || reversed || bends || repeated)
-                topology.creaseEdges[i] |= bit;
-            if (crowded || reversed)
-                topology.brokenEdges[i] |= bit;
-            // Both triangles visit the edge; count it once.
-            if ((reversed || bends) && !crowded && !repeated && i < other)
-                ++topology.creaseEdgeCount;
-        }
-    }
+    EdgeMarker marker(adjacency, normals, exactSinCos(creaseAngle).cos, topology);
+    for (std::uint32_t i = 0; i < triangles.size(); ++i)
+        marker.mark(i);
     topology.originalOf = std::move(adjacency.originalOf);
     return topology;
 }

@@ -230,86 +230,154 @@ std::vector<Run> runsOf(const Roots& roots, const std::vector<State>& states,
     return all;
 }
 
+// Chooses roots lattice by lattice, from the widest to the finest.
+class Ordering {
+public:
+    // All must outlive it; `progress` may be null.
+    Ordering(const terrain::GroundMesh& ground, const Roots& roots, double evenUpTo,
+             const Progress* progress)
+        : ground_(ground)
+        , roots_(roots)
+        , evenUpTo_(evenUpTo)
+        , progress_(progress)
+        , extent_(extentOf(roots))
+        , order_(roots.size())
+        , states_(roots.size(), State::open)
+        , index_(0.6 * widestSide)
+    {
+        tbb::parallel_for(std::size_t(0), roots.size(),
+                          [&](std::size_t i) { order_[i] = orderOf(0.0f, priorityOf(i)); });
+    }
+
+    std::vector<std::uint64_t> run()
+    {
+        double side = widestSide;
+        for (int lattice = 0; lattice < lattices && !(extent_ / side > 5e5); ++lattice) {
+            if (!leavesRoots(side))
+                break;
+            side /= finerBy;
+        }
+        return std::move(order_);
+    }
+
+private:
+    std::uint64_t priorityOf(std::size_t i) const
+    {
+        return mixBits(keyBits(keyOf(ground_, roots_[i])) + 1);
+    }
+
+    // Chooses roots in the regions of the lattice of this side [m]. Returns whether some are left
+    // for a finer one.
+    bool leavesRoots(double side)
+    {
+        const double radius = side / sideInRadii;
+        runs_ = runsOf(roots_, states_, PoissonLattice(side, 0.0, radius, extent_));
+        if (runs_.empty())
+            return false;
+        first_.clear();
+        for (std::size_t i = 0; i < runs_.size(); ++i)
+            if (i == 0 || runs_[i].region != runs_[i - 1].region)
+                first_.push_back(i);
+        first_.push_back(runs_.size());
+        isDone_.assign(first_.size() - 1, 0);
+        index_.sortInto(0.6 * side);
+
+        tbb::enumerable_thread_specific<Chooser> choosers;
+        bool isLast = true;
+        for (std::size_t begin = 0; begin < isDone_.size();) {
+            // All regions of one kind at once.
+            const int kind = kindOf(begin);
+            std::size_t end = begin;
+            while (end < isDone_.size() && kindOf(end) == kind)
+                ++end;
+            tbb::parallel_for(begin, end, [&](std::size_t region) {
+                chooseIn(region, radius, choosers.local());
+            });
+            for (std::size_t region = begin; region < end; ++region)
+                isLast = isLast && isDone_[region] != 0;
+            if (kind < lastKind || !isLast)
+                indexChosen(begin, end);
+            begin = end;
+        }
+        finishRoots();
+        return !isLast;
+    }
+
+    int kindOf(std::size_t region) const
+    {
+        return PoissonLattice::kindOf(runs_[first_[region]].region);
+    }
+
+    template <typename Take>
+    void forRootsOf(std::size_t region, Take take) const
+    {
+        for (std::size_t run = first_[region]; run < first_[region + 1]; ++run)
+            for (std::size_t i = runs_[run].begin; i < runs_[run].end; ++i)
+                take(i);
+    }
+
+    void chooseIn(std::size_t region, double radius, Chooser& chooser)
+    {
+        if (progress_ != nullptr)
+            progress_->throwIfCancelled();
+        std::vector<Candidate>& candidates = chooser.candidates.all();
+        candidates.clear();
+        forRootsOf(region, [&](std::size_t i) {
+            if (states_[i] == State::open)
+                candidates.push_back(
+                    {roots_[i].position, static_cast<std::uint32_t>(i), priorityOf(i)});
+        });
+        isDone_[region] = std::uint8_t(
+            chooser.run(radius, evenUpTo_, index_, [&](const Candidate& candidate, float distance) {
+                states_[candidate.root] = State::chosen;
+                order_[candidate.root] = orderOf(distance, candidate.priority);
+            }));
+    }
+
+    // Later regions must keep their distance from the chosen roots of these.
+    void indexChosen(std::size_t begin, std::size_t end)
+    {
+        for (std::size_t region = begin; region < end; ++region)
+            forRootsOf(region, [&](std::size_t i) {
+                if (states_[i] == State::chosen)
+                    index_.add({roots_[i].position, distanceOf(order_[i])});
+            });
+    }
+
+    // Marks finished roots, so that later lattices skip them.
+    void finishRoots()
+    {
+        tbb::parallel_for(std::size_t(0), isDone_.size(), [&](std::size_t region) {
+            forRootsOf(region, [&](std::size_t i) {
+                if (isDone_[region] != 0 || states_[i] == State::chosen)
+                    states_[i] = State::done;
+            });
+        });
+    }
+
+    static constexpr int lastKind = 3; // of a lattice's regions
+
+    const terrain::GroundMesh& ground_;
+    const Roots& roots_;
+    double evenUpTo_;
+    const Progress* progress_;
+    double extent_;
+    std::vector<std::uint64_t> order_;
+    std::vector<State> states_;
+    CubeIndex<ChosenRoot> index_; // the chosen roots
+
+    // Of the lattice at hand:
+    std::vector<Run> runs_;
+    std::vector<std::size_t> first_;   // run of each region, and the end of all
+    std::vector<std::uint8_t> isDone_; // by region
+};
+
 } // namespace
 
 std::vector<std::uint64_t> progressiveOrder(const terrain::GroundMesh& ground, const Roots& roots,
                                             double evenUpTo, const Progress* progress)
 {
-    const auto priorityOf = [&](std::size_t i) {
-        return mixBits(keyBits(keyOf(ground, roots[i])) + 1);
-    };
-    std::vector<std::uint64_t> order(roots.size());
-    tbb::parallel_for(std::size_t(0), roots.size(),
-                      [&](std::size_t i) { order[i] = orderOf(0.0f, priorityOf(i)); });
-
-    const double extent = extentOf(roots);
-    std::vector<State> states(roots.size(), State::open);
-    CubeIndex<ChosenRoot> index(0.6 * widestSide);
-    double side = widestSide;
-    for (int lattice = 0; lattice < lattices; ++lattice, side /= finerBy) {
-        if (extent / side > 5e5)
-            break;
-        const double radius = side / sideInRadii;
-        const PoissonLattice regions(side, 0.0, radius, extent);
-        const std::vector<Run> runs = runsOf(roots, states, regions);
-        if (runs.empty())
-            break;
-        std::vector<std::size_t> first;
-        for (std::size_t i = 0; i < runs.size(); ++i)
-            if (i == 0 || runs[i].region != runs[i - 1].region)
-                first.push_back(i);
-        first.push_back(runs.size());
-
-        index.sortInto(0.6 * side);
-        std::vector<std::uint8_t> isDone(first.size() - 1);
-        tbb::enumerable_thread_specific<Chooser> choosers;
-        bool isLast = true;
-        for (std::size_t begin = 0; begin + 1 < first.size();) {
-            // All regions of one kind at once.
-            const int kind = PoissonLattice::kindOf(runs[first[begin]].region);
-            std::size_t end = begin;
-            while (end + 1 < first.size() &&
-                   PoissonLattice::kindOf(runs[first[end]].region) == kind)
-                ++end;
-            tbb::parallel_for(begin, end, [&](std::size_t region) {
-                if (progress != nullptr)
-                    progress->throwIfCancelled();
-                Chooser& chooser = choosers.local();
-                std::vector<Candidate>& candidates = chooser.candidates.all();
-                candidates.clear();
-                for (std::size_t run = first[region]; run < first[region + 1]; ++run)
-                    for (std::size_t i = runs[run].begin; i < runs[run].end; ++i)
-                        if (states[i] == State::open)
-                            candidates.push_back(
-                                {roots[i].position, static_cast<std::uint32_t>(i), priorityOf(i)});
-                isDone[region] = std::uint8_t(chooser.run(
-                    radius, evenUpTo, index, [&](const Candidate& candidate, float distance) {
-                        states[candidate.root] = State::chosen;
-                        order[candidate.root] = orderOf(distance, candidate.priority);
-                    }));
-            });
-            // Later regions must keep their distance from the chosen roots.
-            for (std::size_t region = begin; region < end; ++region)
-                isLast = isLast && isDone[region] != 0;
-            for (std::size_t region = begin; region < end && (kind < 3 || !isLast); ++region)
-                for (std::size_t run = first[region]; run < first[region + 1]; ++run)
-                    for (std::size_t i = runs[run].begin; i < runs[run].end; ++i)
-                        if (states[i] == State::chosen)
-                            index.add({roots[i].position, distanceOf(order[i])});
-            begin = end;
-        }
-
-        // Mark finished roots, so that later lattices skip them.
-        tbb::parallel_for(std::size_t(0), isDone.size(), [&](std::size_t region) {
-            for (std::size_t run = first[region]; run < first[region + 1]; ++run)
-                for (std::size_t i = runs[run].begin; i < runs[run].end; ++i)
-                    if (isDone[region] != 0 || states[i] == State::chosen)
-                        states[i] = State::done;
-        });
-        if (isLast)
-            break;
-    }
-    return order;
+    return Ordering(ground, roots, evenUpTo, progress).run();
 }
 
 } // namespace sward::bake

@@ -53,36 +53,46 @@ Navigation::Navigation(const Framing& home, Place place)
 
 void Navigation::steer(const Input& input, float height, double seconds, bool mouse, bool keys)
 {
-    const bool looks = mouse && input.rightHeld;
-    if (mouse && input.look != glm::vec2(0.0f))
-        look(input.look, height);
-    if (mouse && walks_ && input.rotate != glm::vec2(0.0f))
-        look(input.rotate, height);
-    else if (mouse && input.rotate != glm::vec2(0.0f))
-        orbit_.rotate(input.rotate, height);
-    if (mouse && !walks_ && input.pan != glm::vec2(0.0f))
-        orbit_.pan(input.pan, height);
-    if (mouse && input.wheel != 0.0f) {
-        if (looks || walks_)
-            speed_ = std::clamp(speed_ * std::pow(wheelFactor, static_cast<double>(input.wheel)),
-                                1e-3, 1e6);
-        else
-            orbit_.dolly(input.wheel);
-    }
-
-    const bool orbits = input.rotate != glm::vec2(0.0f) || input.pan != glm::vec2(0.0f) ||
-                        (input.wheel != 0.0f && !looks);
-    if (mouse && !walks_ && orbits)
-        stayAboveGround();
-
+    if (mouse)
+        steerByMouse(input, height);
     // Letters move a flying camera only while the right button is held. They always move a walking
     // one.
-    if (keys && (looks || walks_) && input.walk != glm::vec3(0.0f)) {
+    const bool mayMove = walks_ || (mouse && input.rightHeld);
+    if (keys && mayMove && input.walk != glm::vec3(0.0f)) {
         const double speed = walks_ ? walkSpeed * eyeHeight_ : speed_;
         fly(input.walk, speed * seconds * (input.hurry ? hurryFactor : 1.0));
     }
     if (walks_)
         standOnGround();
+}
+
+void Navigation::steerByMouse(const Input& input, float height)
+{
+    constexpr glm::vec2 none(0.0f);
+    if (input.look != none)
+        look(input.look, height);
+    bool orbits = input.rotate != none || input.pan != none;
+    if (walks_ && input.rotate != none)
+        look(input.rotate, height);
+    else if (input.rotate != none)
+        orbit_.rotate(input.rotate, height);
+    if (!walks_ && input.pan != none)
+        orbit_.pan(input.pan, height);
+    if (input.wheel != 0.0f)
+        orbits |= turnWheel(input);
+    if (orbits && !walks_)
+        stayAboveGround();
+}
+
+bool Navigation::turnWheel(const Input& input)
+{
+    if (!input.rightHeld && !walks_) {
+        orbit_.dolly(input.wheel);
+        return true;
+    }
+    const double factor = std::pow(wheelFactor, static_cast<double>(input.wheel));
+    speed_ = std::clamp(speed_ * factor, 1e-3, 1e6);
+    return false;
 }
 
 void Navigation::fly(const glm::vec3& ways, double metres)

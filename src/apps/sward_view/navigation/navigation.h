@@ -51,6 +51,8 @@ public:
     double speed() const { return speed_; } ///< flying speed [m/s]
 
 private:
+    void steerByMouse(const Input& input, float height);
+    bool turnWheel(const Input& input); ///< Returns whether the camera came nearer or went away.
     void fly(const glm::vec3& ways, double metres);
     void look(glm::vec2 pixels, float height);
     void standOnGround();

@@ -15,6 +15,55 @@ namespace {
 
 constexpr float uiZoomStep = 1.1f; ///< of text and controls, by a press of a key
 
+// What a key requests; null if it is for something else.
+bool Requests::*requestOf(Key key)
+{
+    switch (key) {
+    case Key::frame:
+        return &Requests::frameField;
+    case Key::home:
+        return &Requests::goHome;
+    case Key::walk:
+        return &Requests::walk;
+    case Key::freeze:
+        return &Requests::freeze;
+    case Key::record:
+        return &Requests::record;
+    case Key::picture:
+        return &Requests::picture;
+    default:
+        return nullptr;
+    }
+}
+
+// The steps of text and controls after a key, where `scale` is theirs before it.
+int zoomAfter(Key key, int steps, float scale)
+{
+    if (key == Key::larger)
+        return steps + (scale < static_cast<float>(largestUiScale) ? 1 : 0);
+    if (key == Key::smaller)
+        return steps - (scale > static_cast<float>(smallestUiScale) ? 1 : 0);
+    return key == Key::usualSize ? 0 : steps;
+}
+
+// Undo, redo and the choice of a species. Returns what the user should know, or nothing.
+std::string editStrokes(Key key, Painter& painter, StrokeDesk& desk)
+{
+    if (key == Key::undo && !painter.strokes.undo())
+        return "No change of the strokes is left to undo";
+    if (key == Key::redo && !painter.strokes.redo())
+        return "No change of the strokes is left to redo";
+    if (key == Key::species)
+        desk.takesSpecies = !desk.takesSpecies;
+    return {};
+}
+
+// Whether the chosen field was baked or painted in this window.
+bool isMadeHere(const ShownField& shown, const ViewerState& state)
+{
+    return state.painter || shown.members.at(state.chosen)->source.requests;
+}
+
 } // namespace
 
 KeyboardFocus::Keys Viewer::keysForControls(Input& input) const
@@ -82,6 +131,11 @@ void Viewer::steer(Input& input)
 
 void Viewer::press(const KeyPress& key)
 {
+    if (bool Requests::*const request = requestOf(key.key); request != nullptr)
+        viewerState_.requests.*request = true;
+    uiZoom_ = zoomAfter(key.key, uiZoom_, uiScale().interface);
+    if (viewerState_.painter)
+        notice(editStrokes(key.key, *viewerState_.painter, viewerState_.desk));
     switch (key.key) {
     case Key::escape:
         if (!closeTopmost())
@@ -101,54 +155,15 @@ void Viewer::press(const KeyPress& key)
         viewerState_.time.paused = true;
         viewerState_.time.stepOnce = true;
         break;
-    case Key::frame:
-        viewerState_.requests.frameField = true;
-        break;
-    case Key::home:
-        viewerState_.requests.goHome = true;
-        break;
-    case Key::walk:
-        viewerState_.requests.walk = true;
-        break;
-    case Key::freeze:
-        viewerState_.requests.freeze = true;
-        break;
-    case Key::record:
-        viewerState_.requests.record = true;
-        break;
-    case Key::picture:
-        viewerState_.requests.picture = true;
-        break;
-    case Key::larger:
-        uiZoom_ += uiScale().interface < static_cast<float>(largestUiScale) ? 1 : 0;
-        break;
-    case Key::smaller:
-        uiZoom_ -= uiScale().interface > static_cast<float>(smallestUiScale) ? 1 : 0;
-        break;
-    case Key::usualSize:
-        uiZoom_ = 0;
-        break;
     case Key::save:
-        if (loadedField_ &&
-            (viewerState_.painter ||
-             loadedField_->field().members.at(viewerState_.chosen)->source.requests))
+        if (loadedField_ && isMadeHere(loadedField_->field(), viewerState_))
             viewerState_.requests.saveField = viewerState_.fieldFile;
-        break;
-    case Key::undo:
-        if (viewerState_.painter && !viewerState_.painter->strokes.undo())
-            notice("No change of the strokes is left to undo");
-        break;
-    case Key::redo:
-        if (viewerState_.painter && !viewerState_.painter->strokes.redo())
-            notice("No change of the strokes is left to redo");
-        break;
-    case Key::species:
-        if (viewerState_.painter)
-            viewerState_.desk.takesSpecies = !viewerState_.desk.takesSpecies;
         break;
     case Key::bookmark:
         if (loadedField_)
             useBookmark(key);
+        break;
+    default:
         break;
     }
 }
