@@ -67,12 +67,18 @@ struct Incoming {
     vec3 sun;      ///< of the sun, where it is seen
 };
 
+/// The frame's own light.
+Incoming incomingFromSky(vec3 n)
+{
+    return Incoming(hemisphere(n), 1.25 * FRAME.skyColor, FRAME.skyColor, FRAME.sunColor);
+}
+
 #ifdef HOST_LIGHT
 #include "shaders/blade/host_light.glsl"
 #else
 Incoming incomingAt(vec3 position, vec3 up, vec3 n)
 {
-    return Incoming(hemisphere(n), 1.25 * FRAME.skyColor, FRAME.skyColor, FRAME.sunColor);
+    return incomingFromSky(n);
 }
 #endif
 
@@ -118,7 +124,8 @@ vec3 bladePicture(BladePoint point)
     color += (gloss * sunlit * along * max(scattering.facing + 0.2, 0.0)) *
              (incoming.sun * scattering.shine * 0.25 + incoming.mirrored * fresnel);
 #ifdef HOST_LIGHT
-    color += lampLight(point, n, toEye, albedo, leafArea);
+    if (hasHostLight)
+        color += lampLight(point, n, toEye, albedo, leafArea);
 #endif
 
     if (debugMode() != debugNothing)

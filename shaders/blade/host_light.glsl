@@ -1,9 +1,12 @@
 // The light of a host's own scene on a point of a blade: see shared/host_light.h. Part of blade_light.glsl. HOST_LIGHT
-// is the number of the set of the shadow map.
+// is the number of the set of the shadow map, which any image stands in for where there is none.
 #ifndef SWARD_BLADE_HOST_LIGHT_GLSL
 #define SWARD_BLADE_HOST_LIGHT_GLSL
 
-/// A layer for each cascade; any image if there is none.
+/// Whether there is light of a host's; known at pipeline creation.
+layout(constant_id = idHasHostLight) const bool hasHostLight = false;
+
+/// A layer for each cascade.
 layout(set = HOST_LIGHT, binding = 0) uniform sampler2DArray hostShadow;
 
 #define HOST FRAME.hostLight.at[0]
@@ -51,6 +54,8 @@ vec3 ambientTowards(vec3 n)
 
 Incoming incomingAt(vec3 position, vec3 up, vec3 n)
 {
+    if (!hasHostLight)
+        return incomingFromSky(n);
     const vec3 sun = FRAME.sunColor * sunShare(position, up);
     if (HOST.hasAmbient == 0u)
         return Incoming(hemisphere(n), 1.25 * FRAME.skyColor, FRAME.skyColor, sun);

@@ -2,6 +2,13 @@
 #ifndef SWARD_RESOLVE_SIGHT_BLADE_GLSL
 #define SWARD_RESOLVE_SIGHT_BLADE_GLSL
 
+// The set of the host's shadow map follows that of the frame, if there is one.
+#ifdef HAS_INSTANCES
+#define HOST_LIGHT 0
+#else
+#define HOST_LIGHT 1
+#endif
+
 #include "shaders/raster/instances.glsl"
 #include "shaders/raster/put_sample.glsl"
 #include "shaders/resolve/shade_found.glsl"

@@ -1,7 +1,7 @@
 #version 460
 #extension GL_GOOGLE_include_directive : require
 // Lights the visibility of a host's view and stores the light into the host's picture: see StoredPicture. The set of
-// the stored depth follows that of the colour.
+// the stored colour follows that of the shadow map, and then comes that of the stored depth.
 #include "shaders/resolve/sight_blade.glsl"
 #include "shaders/common/film_curve.glsl"
 #include "shaders/resolve/stored.glsl"
@@ -12,8 +12,8 @@ const uint gatherTile = rasterTile;
 #include "shaders/resolve/gather.glsl"
 #include "shaders/shared/constants.h"
 
-layout(set = STORED_SET, binding = 1, STORED_FORMAT) uniform image2D hostColor;
-layout(set = STORED_SET + 1, binding = 1, r32f) uniform writeonly image2D hostDepth; // only with storesDepth
+layout(set = HOST_LIGHT + 1, binding = 1, STORED_FORMAT) uniform image2D hostColor;
+layout(set = HOST_LIGHT + 2, binding = 1, r32f) uniform writeonly image2D hostDepth; // only with storesDepth
 
 /// Flags of storesPicture …; known at pipeline creation.
 layout(constant_id = idStoredAs) const uint storedAs = storesPicture;

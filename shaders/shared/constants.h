@@ -43,7 +43,8 @@ SHARED_CONST uint idTileList = 23u;        ///< tilesOfBlades …: see tile_clas
 SHARED_CONST uint idShowsBlades = 24u;     ///< the tiles may show blades
 SHARED_CONST uint idShowsSky = 25u;        ///< … and sky
 SHARED_CONST uint idHasShadingCache = 26u; ///< see shading_cache.glsl
-SHARED_CONST uint idLimitsLeafArea = 27u;  ///< see leafAreaLimitOf()
+SHARED_CONST uint idHasHostLight = 27u;    ///< blades are in a host's light: see host_light.h
+SHARED_CONST uint idLimitsLeafArea = 28u;  ///< see leafAreaLimitOf()
 
 // Output modes.
 SHARED_CONST uint outputFilm = 0u;     ///< Sward's own film, for the viewer

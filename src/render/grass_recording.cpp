@@ -216,13 +216,14 @@ void Grass::recordDraw(VkCommandBuffer buffer, std::uint32_t view, const BladeTa
         parts.raster.recordDraw(commands, parts.slot, view, *visibility);
         return;
     }
-    const gpu::ImageSet* const shadowMap =
-        target.settings().colorFormats.empty() ? nullptr : parts.shadowMaps.of(parts.slot, view);
-    const gpu::GraphicsPipeline& pipeline =
-        shadowMap != nullptr ? target.hostLightPipeline() : target.pipeline();
+    const bool isColored = !target.settings().colorFormats.empty();
+    const gpu::GraphicsPipeline& pipeline = isColored && parts.shadowMaps.isLit(parts.slot, view)
+                                                ? target.hostLightPipeline()
+                                                : target.pipeline();
     pipeline.bind(commands);
-    if (shadowMap != nullptr)
-        shadowMap->bind(commands, VK_PIPELINE_BIND_POINT_GRAPHICS, pipeline.layout());
+    if (isColored)
+        parts.shadowMaps.of(parts.slot, view)
+            .bind(commands, VK_PIPELINE_BIND_POINT_GRAPHICS, pipeline.layout());
     parts.forEach([&](const PlacedField& field) {
         if (field.blades().bladeCount() == 0)
             return;

@@ -75,11 +75,9 @@ void HostShadowMaps::begin(std::uint32_t slot, const HostLight& light,
                            std::span<const HostView> views)
 {
     usesPlaceholder_ = false;
-    for (std::uint32_t i = 0; i < maxViews_; ++i) {
+    for (std::uint32_t i = 0; i < views.size(); ++i) {
         View& view = views_[slot * maxViews_ + i];
-        view.isLit = i < views.size() && isLitByHost(light, views[i]);
-        if (!view.isLit)
-            continue;
+        view.isLit = isLitByHost(light, views[i]);
         if (!view.isMade)
             view.set = gpu::ImageSet(*context_, layout_, "host shadow");
         view.isMade = true;
@@ -118,10 +116,14 @@ void HostShadowMaps::record(const gpu::Recording& commands) const
     commands.vk->CmdPipelineBarrier2(commands, &dependency);
 }
 
-const gpu::ImageSet* HostShadowMaps::of(std::uint32_t slot, std::uint32_t view) const
+const gpu::ImageSet& HostShadowMaps::of(std::uint32_t slot, std::uint32_t view) const
 {
-    const View& found = views_[slot * maxViews_ + view];
-    return found.isLit ? &found.set : nullptr;
+    return views_[slot * maxViews_ + view].set;
+}
+
+bool HostShadowMaps::isLit(std::uint32_t slot, std::uint32_t view) const
+{
+    return views_[slot * maxViews_ + view].isLit;
 }
 
 } // namespace sward::render

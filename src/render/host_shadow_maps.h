@@ -20,8 +20,8 @@ namespace sward::render {
 /// Layout of a set with a host's shadow map, for the stages that light blades.
 gpu::ImageSetLayout hostShadowLayout(const gpu::DeviceContext& context);
 
-/// The shadow maps of the views of frames in flight, as descriptor sets. A view in the host's light
-/// without a shadow map has a small image in its place.
+/// The shadow maps of the views of frames in flight, as descriptor sets. A view without a shadow
+/// map has a small image in its place.
 class HostShadowMaps {
 public:
     HostShadowMaps(const gpu::DeviceContext& context, std::uint32_t slots, std::uint32_t maxViews);
@@ -32,8 +32,11 @@ public:
     /// Makes the small image readable, if the frame uses it. Outside of a rendering.
     void record(const gpu::Recording& commands) const;
 
-    /// Of a view of the frame last begun in `slot`; null: blades have no light of the host's.
-    const gpu::ImageSet* of(std::uint32_t slot, std::uint32_t view) const;
+    /// Of a view of the frame last begun in `slot`.
+    const gpu::ImageSet& of(std::uint32_t slot, std::uint32_t view) const;
+
+    /// Whether that view has light of the host's.
+    bool isLit(std::uint32_t slot, std::uint32_t view) const;
 
     const gpu::ImageSetLayout& layout() const { return layout_; }
 

@@ -18,25 +18,20 @@ std::uint32_t flagsOf(const HostView& view)
            (view.hasReversedZ ? 0u : shared::storesForwardZ);
 }
 
-/// What lights in place of ids: [several instances][a host's light].
-constexpr const char* shadeModules[2][2] = {
-    {shader::shadeVisibility, shader::shadeVisibilityHostLight},
-    {shader::shadeVisibilityOfInstances, shader::shadeVisibilityOfInstancesHostLight}};
+/// What lights in place of ids: [several instances].
+constexpr const char* shadeModules[2] = {shader::shadeVisibility,
+                                         shader::shadeVisibilityOfInstances};
 
-/// What stores: [several instances][a host's light][halves].
-constexpr const char* storeModules[2][2][2] = {
-    {{shader::storeVisibilityBytes, shader::storeVisibilityHalves},
-     {shader::storeVisibilityHostLightBytes, shader::storeVisibilityHostLightHalves}},
-    {{shader::storeVisibilityOfInstancesBytes, shader::storeVisibilityOfInstancesHalves},
-     {shader::storeVisibilityOfInstancesHostLightBytes,
-      shader::storeVisibilityOfInstancesHostLightHalves}}};
+/// What stores: [several instances][halves].
+constexpr const char* storeModules[2][2] = {
+    {shader::storeVisibilityBytes, shader::storeVisibilityHalves},
+    {shader::storeVisibilityOfInstancesBytes, shader::storeVisibilityOfInstancesHalves}};
 
 const char* shaderFor(const HostLighting::Settings& settings)
 {
     const std::size_t several = settings.isOfOne ? 0 : 1;
-    const std::size_t light = settings.hasHostLight ? 1 : 0;
-    return settings.storedAs != 0 ? storeModules[several][light][settings.storesHalves ? 1 : 0]
-                                  : shadeModules[several][light];
+    return settings.storedAs != 0 ? storeModules[several][settings.storesHalves ? 1 : 0]
+                                  : shadeModules[several];
 }
 
 } // namespace
@@ -61,8 +56,7 @@ gpu::ComputePipeline HostLighting::pipelineFor(const gpu::ShaderLibrary& shaders
     std::vector<VkDescriptorSetLayout> sets;
     if (settings.isOfOne)
         sets.push_back(frameLayout_.get());
-    if (settings.hasHostLight)
-        sets.push_back(shadowMaps_->layout().get());
+    sets.push_back(shadowMaps_->layout().get());
     if (stores)
         sets.insert(sets.end(), 2, imageLayout_.get());
     std::string name = stores ? "host lighting/store" : "host lighting/light";
@@ -77,6 +71,7 @@ gpu::ComputePipeline HostLighting::pipelineFor(const gpu::ShaderLibrary& shaders
                            {.id = shared::idSamplesPerPixel, .value = settings.samples},
                            {.id = shared::idLimitsLeafArea, .value = settings.limitsLeafArea},
                            {.id = shared::idOutputMode, .value = shared::outputRadiance},
+                           {.id = shared::idHasHostLight, .value = settings.hasHostLight},
                            {.id = shared::idMayFold, .value = settings.looks.mayFold},
                            {.id = shared::idOnlyShape, .value = settings.looks.onlyShape},
                            {.id = shared::idHasShadingCache, .value = settings.hasShadingCache},
@@ -89,9 +84,9 @@ HostLighting::View HostLighting::prepare(const gpu::ShaderLibrary& shaders, std:
                                          Settings settings)
 {
     View made;
-    made.shadowMap = shadowMaps_->of(slot, index);
+    made.shadowMap = &shadowMaps_->of(slot, index);
     settings.samples = view.samples;
-    settings.hasHostLight = made.shadowMap != nullptr;
+    settings.hasHostLight = shadowMaps_->isLit(slot, index);
     if (stores) {
         std::optional<Picture>& picture = pictures_[std::size_t(slot) * maxViews_ + index];
         if (!picture)
@@ -120,8 +115,7 @@ void HostLighting::record(const gpu::Recording& commands, const View& view, cons
     std::uint32_t set = 0;
     if (frame != nullptr)
         frame->bind(commands, layout, set++);
-    if (view.shadowMap != nullptr)
-        view.shadowMap->bind(commands, VK_PIPELINE_BIND_POINT_COMPUTE, layout, set++);
+    view.shadowMap->bind(commands, VK_PIPELINE_BIND_POINT_COMPUTE, layout, set++);
     if (view.color != nullptr)
         for (const gpu::ImageSet* image : {view.color, view.depth})
             image->bind(commands, VK_PIPELINE_BIND_POINT_COMPUTE, layout, set++);

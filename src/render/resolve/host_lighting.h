@@ -30,7 +30,8 @@ public:
     /// Specialisation of a pipeline.
     struct Settings {
         std::uint32_t samples = 1, debugMode = shared::debugNothing; ///< see knownDebugMode()
-        bool isOfOne = false, hasHostLight = false; ///< of a single instance; see View::shadowMap
+        bool isOfOne = false;       ///< of a single instance
+        bool hasHostLight = false;  ///< see HostShadowMaps::isLit()
         std::uint32_t storedAs = 0; ///< flags of shared::storesPicture …; 0: in place of ids
         bool storesHalves = false;  ///< else bytes
         // Of the only instance; what is unknown of several has the widest value.
@@ -43,7 +44,7 @@ public:
     /// What lights one view.
     struct View {
         const gpu::ComputePipeline* pipeline = nullptr; ///< null: nothing is lit
-        const gpu::ImageSet* shadowMap = nullptr;       ///< null: no light of the host's
+        const gpu::ImageSet* shadowMap = nullptr;       ///< of HostShadowMaps
         const gpu::ImageSet* color = nullptr;           ///< null: the light replaces ids
         const gpu::ImageSet* depth = nullptr;           ///< beside a colour
     };

@@ -115,7 +115,7 @@ gpu::GraphicsPipelineSettings visibilityPipelineFor(const HostTarget& target)
     return settings;
 }
 
-gpu::GraphicsPipelineSettings pipelineFor(const HostTarget& target)
+gpu::GraphicsPipelineSettings pipelineFor(const HostTarget& target, bool hasHostLight)
 {
     gpu::GraphicsPipelineSettings settings = tessellatedBlades();
     setTarget(settings, target);
@@ -124,13 +124,29 @@ gpu::GraphicsPipelineSettings pipelineFor(const HostTarget& target)
         settings.vertexShader = shader::bladeMotionVertex;
         settings.tessellationControlShader = shader::bladeMotionControl;
         settings.tessellationEvaluationShader = shader::bladeMotionEvaluation;
-        settings.fragmentShader = shader::bladeMotionFragment;
     }
     if (target.colorFormats.empty()) {
         settings.name = "blades/depth";
         settings.fragmentShader = shader::bladeDepthFragment;
+        return settings;
     }
+    settings.fragmentShader =
+        target.writesMotion ? shader::bladeHostMotionFragment : shader::bladeHostFragment;
+    settings.constants.push_back({.id = shared::idHasHostLight, .value = hasHostLight});
+    if (hasHostLight)
+        settings.name += "/host light";
     return settings;
+}
+
+gpu::GraphicsPipeline makePipeline(const gpu::DeviceContext& context, const HostTarget& target,
+                                   bool hasHostLight)
+{
+    gpu::GraphicsPipelineSettings settings = pipelineFor(target, hasHostLight);
+    // A pipeline keeps what it needs of the layout.
+    const gpu::ImageSetLayout shadows = hostShadowLayout(context);
+    if (!target.colorFormats.empty())
+        settings.setLayouts = {shadows.get()};
+    return {context, gpu::ShaderLibrary(embedded::shaders()), settings};
 }
 
 } // namespace
@@ -138,19 +154,10 @@ gpu::GraphicsPipelineSettings pipelineFor(const HostTarget& target)
 BladeTarget::BladeTarget(const gpu::DeviceContext& context, const HostTarget& target)
     : device_(context.device)
     , settings_(checkedTarget(context, target))
-    , pipeline_(context, gpu::ShaderLibrary(embedded::shaders()), pipelineFor(target))
+    , pipeline_(makePipeline(context, target, false))
 {
-    if (!target.colorFormats.empty()) {
-        // A pipeline keeps what it needs of the layout.
-        const gpu::ImageSetLayout shadows = hostShadowLayout(context);
-        gpu::GraphicsPipelineSettings settings = pipelineFor(target);
-        settings.name += "/host light";
-        settings.fragmentShader = target.writesMotion ? shader::bladeMotionHostLightFragment
-                                                      : shader::bladeHostLightFragment;
-        settings.setLayouts = {shadows.get()};
-        hostLight_ =
-            gpu::GraphicsPipeline(context, gpu::ShaderLibrary(embedded::shaders()), settings);
-    }
+    if (!target.colorFormats.empty())
+        hostLight_ = makePipeline(context, target, true);
     if (mayShowVisibility(context, target))
         visibility_.emplace(context, gpu::ShaderLibrary(embedded::shaders()),
                             visibilityPipelineFor(target));
