@@ -14,37 +14,38 @@ SHARED_CONST uint idKnownDebugMode = 0u;  ///< a mode, or debugAsTold: see debug
 SHARED_CONST uint idSamplesPerPixel = 1u; ///< 1 or 4
 SHARED_CONST uint idHasForwardZ = 2u;     ///< depths are 0 near and 1 far; else 1 near and 0 far
 SHARED_CONST uint idOutputMode = 3u;      ///< outputFilm …
-SHARED_CONST uint idStoredAs = 4u;        ///< flags storesPicture …: see passes.h
+SHARED_CONST uint idWritesMotion = 4u;    ///< beside the colour
+SHARED_CONST uint idStoredAs = 5u;        ///< flags storesPicture …: see passes.h
 
 // Of what blades a field has.
-SHARED_CONST uint idIsPaged = 5u;       ///< its blades lie on pages
-SHARED_CONST uint idOnlyShape = 6u;     ///< the shape of all blades; shapeCount if they differ
-SHARED_CONST uint idMayFold = 7u;       ///< blades may be folded
-SHARED_CONST uint idMayHaveOrgans = 8u; ///< there may be compound plants
+SHARED_CONST uint idIsPaged = 6u;       ///< its blades lie on pages
+SHARED_CONST uint idOnlyShape = 7u;     ///< the shape of all blades; shapeCount if they differ
+SHARED_CONST uint idMayFold = 8u;       ///< blades may be folded
+SHARED_CONST uint idMayHaveOrgans = 9u; ///< there may be compound plants
 
 // Of update and cull.
-SHARED_CONST uint idRole = 9u;            ///< moveAndCull …
-SHARED_CONST uint idTakes = 10u;          ///< takesAll …: the patches
-SHARED_CONST uint idFeatures = 11u;       ///< see featuresOf()
-SHARED_CONST uint idWindCounts = 12u;     ///< Wind::counts; 0: nothing is moved
-SHARED_CONST uint idHasColliders = 13u;   ///< else no blade is near one
-SHARED_CONST uint idKeepsBefore = 14u;    ///< stores states before the motion
-SHARED_CONST uint idKeepsEtas = 15u;      ///< stores the collision state
-SHARED_CONST uint idTestsSmall = 16u;     ///< see testedSmallPixels
-SHARED_CONST uint idPatchesOfGroup = 17u; ///< that a work-group takes together
-SHARED_CONST uint idThreadsOfGroup = 18u; ///< of the update
+SHARED_CONST uint idRole = 10u;           ///< moveAndCull …
+SHARED_CONST uint idTakes = 11u;          ///< takesAll …: the patches
+SHARED_CONST uint idFeatures = 12u;       ///< see featuresOf()
+SHARED_CONST uint idWindCounts = 13u;     ///< Wind::counts; 0: nothing is moved
+SHARED_CONST uint idHasColliders = 14u;   ///< else no blade is near one
+SHARED_CONST uint idKeepsBefore = 15u;    ///< stores states before the motion
+SHARED_CONST uint idKeepsEtas = 16u;      ///< stores the collision state
+SHARED_CONST uint idTestsSmall = 17u;     ///< see testedSmallPixels
+SHARED_CONST uint idPatchesOfGroup = 18u; ///< that a work-group takes together
+SHARED_CONST uint idThreadsOfGroup = 19u; ///< of the update
 
 // Of rasteriser and resolve.
-SHARED_CONST uint idLargeTo = 19u;         ///< largeToGroups …
-SHARED_CONST uint idFillsAll = 20u;        ///< all levels of the pyramid; else the finest
-SHARED_CONST uint idIsOfColliders = 21u;   ///< triangles of colliders; else of the ground
-SHARED_CONST uint idDrawsSunMap = 22u;     ///< else the picture
-SHARED_CONST uint idTileList = 23u;        ///< tilesOfBlades …: see tile_classification.h
-SHARED_CONST uint idShowsBlades = 24u;     ///< the tiles may show blades
-SHARED_CONST uint idShowsSky = 25u;        ///< … and sky
-SHARED_CONST uint idHasShadingCache = 26u; ///< see shading_cache.glsl
-SHARED_CONST uint idHasHostLight = 27u;    ///< blades are in a host's light: see host_light.h
-SHARED_CONST uint idLimitsLeafArea = 28u;  ///< see leafAreaLimitOf()
+SHARED_CONST uint idLargeTo = 20u;         ///< largeToGroups …
+SHARED_CONST uint idFillsAll = 21u;        ///< all levels of the pyramid; else the finest
+SHARED_CONST uint idIsOfColliders = 22u;   ///< triangles of colliders; else of the ground
+SHARED_CONST uint idDrawsSunMap = 23u;     ///< else the picture
+SHARED_CONST uint idTileList = 24u;        ///< tilesOfBlades …: see tile_classification.h
+SHARED_CONST uint idShowsBlades = 25u;     ///< the tiles may show blades
+SHARED_CONST uint idShowsSky = 26u;        ///< … and sky
+SHARED_CONST uint idHasShadingCache = 27u; ///< see shading_cache.glsl
+SHARED_CONST uint idHasHostLight = 28u;    ///< blades are in a host's light: see host_light.h
+SHARED_CONST uint idLimitsLeafArea = 29u;  ///< see leafAreaLimitOf()
 
 // Output modes.
 SHARED_CONST uint outputFilm = 0u;     ///< Sward's own film, for the viewer

@@ -1,8 +1,12 @@
 #version 460
 #extension GL_GOOGLE_include_directive : require
 // Tessellates one blade along its length, and a folded one along its middle.
+#include "shaders/shared/constants.h"
 
 layout(vertices = 1) out;
+
+// Whether there is motion output; known at pipeline creation.
+layout(constant_id = idWritesMotion) const bool writesMotion = false;
 
 layout(location = 0) in vec4 inV0[];
 layout(location = 1) in vec4 inV1[];
@@ -12,12 +16,10 @@ layout(location = 4) flat in uvec3 inWhich[];
 layout(location = 5) in uvec4 inSurface[];
 layout(location = 6) in uvec4 inFrame[];
 layout(location = 7) in uint inBend[];
-#ifdef HAS_MOTION
-layout(location = 8) in vec4 inV1Before[];
+layout(location = 8) in vec4 inV1Before[]; // from here on only with motion
 layout(location = 9) in vec4 inV2Before[];
 layout(location = 10) in vec4 inV0Before[];
 layout(location = 11) in vec4 inAxisBefore[];
-#endif
 
 layout(location = 0) patch out vec4 outV0;
 layout(location = 1) patch out vec4 outV1;
@@ -27,12 +29,10 @@ layout(location = 4) patch out uvec3 outWhich;
 layout(location = 5) patch out uvec4 outSurface;
 layout(location = 6) patch out uvec4 outFrame;
 layout(location = 7) patch out uint outBend;
-#ifdef HAS_MOTION
 layout(location = 8) patch out vec4 outV1Before;
 layout(location = 9) patch out vec4 outV2Before;
 layout(location = 10) patch out vec4 outV0Before;
 layout(location = 11) patch out vec4 outAxisBefore;
-#endif
 
 void main()
 {
@@ -54,10 +54,10 @@ void main()
     outSurface = inSurface[0];
     outFrame = inFrame[0];
     outBend = inBend[0];
-#ifdef HAS_MOTION
-    outV1Before = inV1Before[0];
-    outV2Before = inV2Before[0];
-    outV0Before = inV0Before[0];
-    outAxisBefore = inAxisBefore[0];
-#endif
+    if (writesMotion) {
+        outV1Before = inV1Before[0];
+        outV2Before = inV2Before[0];
+        outV0Before = inV0Before[0];
+        outAxisBefore = inAxisBefore[0];
+    }
 }

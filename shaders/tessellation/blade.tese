@@ -2,10 +2,14 @@
 #extension GL_GOOGLE_include_directive : require
 // A point of the blade: across its width axis (x) and along its curve (y).
 #include "shaders/blade/cross_section_point.glsl"
+#include "shaders/shared/constants.h"
 #include "shaders/shared/passes.h"
 #include "shaders/shared/ribbon.h"
 
 layout(quads, equal_spacing, ccw) in;
+
+// Whether there is motion output; known at pipeline creation.
+layout(constant_id = idWritesMotion) const bool writesMotion = false;
 layout(push_constant, scalar) uniform Block { BladePush push; };
 #define FRAME push.frame.at[0]
 
@@ -17,12 +21,10 @@ layout(location = 4) patch in uvec3 inWhich;
 layout(location = 5) patch in uvec4 inSurface;
 layout(location = 6) patch in uvec4 inFrame;
 layout(location = 7) patch in uint inBend;
-#ifdef HAS_MOTION
-layout(location = 8) patch in vec4 inV1Before;
+layout(location = 8) patch in vec4 inV1Before; // from here on only with motion
 layout(location = 9) patch in vec4 inV2Before;
 layout(location = 10) patch in vec4 inV0Before;
 layout(location = 11) patch in vec4 inAxisBefore;
-#endif
 
 layout(location = 0) centroid out vec3 outPosition;
 layout(location = 3) centroid out vec4 outPlace; // −1 … 1 across, 0 … 1 along, [m] wide and drawn
@@ -30,10 +32,8 @@ layout(location = 4) flat out uvec4 outSurface; // see BladeVaryings
 layout(location = 5) flat out uvec4 outFrame;
 layout(location = 6) flat out uint outBend;
 layout(location = 8) flat out uint outSeed;
-#ifdef HAS_MOTION
-layout(location = 9) centroid out vec4 outClip;
+layout(location = 9) centroid out vec4 outClip; // with motion
 layout(location = 10) centroid out vec4 outClipBefore;
-#endif
 
 void main()
 {
@@ -59,7 +59,8 @@ void main()
     outSeed = inWhich.z;
     gl_Position = FRAME.viewProjection * vec4(outPosition, 1.0);
 
-#ifdef HAS_MOTION
+    if (!writesMotion)
+        return;
     Ribbon before = ribbon;
     before.v0 = inV0Before.xyz;
     before.axis = inAxisBefore.xyz;
@@ -68,5 +69,4 @@ void main()
     const CrossSection sectionBefore = crossSectionAt(before, gl_TessCoord.y, FRAME.view.eye, FRAME.view.minWidth);
     outClip = gl_Position;
     outClipBefore = push.motion.at[0].clipBefore * vec4(onCrossSection(sectionBefore, u), 1.0);
-#endif
 }

@@ -1,6 +1,7 @@
 #version 460
 #extension GL_GOOGLE_include_directive : require
 // One vertex per visible blade: unpacks the blade and computes its pose and colours.
+#include "shaders/shared/constants.h"
 #include "shaders/shared/passes.h"
 
 layout(push_constant, scalar) uniform Block { BladePush push; };
@@ -8,6 +9,9 @@ layout(push_constant, scalar) uniform Block { BladePush push; };
 #include "shaders/blade/blade_colors.glsl"
 #include "shaders/tessellation/blade_varyings.glsl"
 #include "shaders/blade/drawn_blade.glsl"
+
+// Whether there is motion output; known at pipeline creation.
+layout(constant_id = idWritesMotion) const bool writesMotion = false;
 
 layout(location = 0) out vec4 outV0; // and the width [m]
 layout(location = 1) out vec4 outV1; // and the tip threshold
@@ -17,12 +21,10 @@ layout(location = 4) out uvec3 outWhich; // shape, segments (0: nothing is drawn
 layout(location = 5) out uvec4 outSurface; // see BladeVaryings
 layout(location = 6) out uvec4 outFrame;
 layout(location = 7) out uint outBend;
-#ifdef HAS_MOTION
-layout(location = 8) out vec4 outV1Before;
+layout(location = 8) out vec4 outV1Before; // from here on only with motion
 layout(location = 9) out vec4 outV2Before;
 layout(location = 10) out vec4 outV0Before;
 layout(location = 11) out vec4 outAxisBefore;
-#endif
 
 BladeVaryings varyingsOf(Ribbon ribbon, BladeSurface surface)
 {
@@ -68,7 +70,8 @@ void main()
     outFrame = varyings.frame;
     outBend = varyings.bend;
 
-#ifdef HAS_MOTION
+    if (!writesMotion)
+        return;
     // Blades that were not updated in this frame have no motion.
     outV1Before = outV1;
     outV2Before = outV2;
@@ -83,5 +86,4 @@ void main()
         outV0Before = vec4(earlier.v0, 0.0);
         outAxisBefore = vec4(earlier.axis, 0.0);
     }
-#endif
 }

@@ -119,12 +119,9 @@ gpu::GraphicsPipelineSettings pipelineFor(const HostTarget& target, bool hasHost
 {
     gpu::GraphicsPipelineSettings settings = tessellatedBlades();
     setTarget(settings, target);
-    if (target.writesMotion) {
+    settings.constants.push_back({.id = shared::idWritesMotion, .value = target.writesMotion});
+    if (target.writesMotion)
         settings.name = "blades/motion";
-        settings.vertexShader = shader::bladeMotionVertex;
-        settings.tessellationControlShader = shader::bladeMotionControl;
-        settings.tessellationEvaluationShader = shader::bladeMotionEvaluation;
-    }
     if (target.colorFormats.empty()) {
         settings.name = "blades/depth";
         settings.fragmentShader = shader::bladeDepthFragment;
