@@ -9,6 +9,7 @@ layout(push_constant, scalar) uniform Block { RasterPush push; };
 
 #include "shaders/cull/finest_levels.glsl"
 #include "shaders/raster/large_part.glsl"
+#include "shaders/raster/last_group.glsl"
 #include "shaders/raster/put_sample.glsl"
 
 /// Whether the last work-group to finish also fills the coarse levels; known at pipeline creation.
@@ -23,7 +24,6 @@ const uint columnsTogether = pyramidThreads * pyramidThreads / pairsOfColumn;
 const uint cellsTogether = 2u;
 
 shared uint farthestOfCells[pyramidThreads * pyramidThreads]; // as bits
-shared bool isLastGroup;
 
 /// The farthest depth of a cell, read by the cell's own thread.
 float farthestOf(uvec2 own)
@@ -87,15 +87,6 @@ void beginLatePass()
     lists.at[largeLate].groups[0] = groupsForLate(listed);
 }
 
-/// Whether all other work-groups have filled their cells. The calling thread has written the group's cell of the third
-/// level, the only input of the coarse levels.
-bool areOthersDone()
-{
-    memoryBarrierBuffer();
-    WalkLevelArray lists = push.largeCount;
-    return atomicAdd(lists.at[largeLate].count, 1u) + 1u == gl_NumWorkGroups.x * gl_NumWorkGroups.y;
-}
-
 void main()
 {
     if (gl_WorkGroupID.xy == uvec2(0u) && gl_LocalInvocationIndex == 0u)
@@ -103,13 +94,6 @@ void main()
     // Neighbouring threads read vertically adjacent pixels, which are adjacent in memory.
     const uvec2 own = gl_LocalInvocationID.yx;
     putFinestLevels(FRAME.pyramid, own, samplesPerPixel == 1u ? farthestOf(own) : farthestTogether(own));
-    if (!fillsAll)
-        return;
-    if (gl_LocalInvocationIndex == 0u)
-        isLastGroup = areOthersDone();
-    barrier();
-    if (!isLastGroup)
-        return;
-    memoryBarrierBuffer();
-    putCoarseLevels(FRAME.pyramid, gl_LocalInvocationIndex, pyramidThreads * pyramidThreads);
+    if (fillsAll && isLastGroup())
+        putCoarseLevels(FRAME.pyramid, gl_LocalInvocationIndex, pyramidThreads * pyramidThreads);
 }

@@ -391,9 +391,6 @@ SHARED_FN vec3 unpackLight(uint packed)
            vec3(float(packed & 511u), float((packed >> 9u) & 511u), float((packed >> 18u) & 511u));
 }
 
-/// Threads along each axis of a work-group that initialises a visibility with the host's depth.
-SHARED_CONST uint seedThreads = 8u;
-
 /// Threads of a work-group that copies.
 SHARED_CONST uint copyThreads = 256u;
 

@@ -63,7 +63,7 @@ void Grass::recordUpdate(VkCommandBuffer buffer)
             continue;
         field->recordReplaced(commands, parts.slot);
         commands.vk->CmdFillBuffer(commands, field->moved().get(), 0, VK_WHOLE_SIZE, 0);
-        for (std::uint32_t view = 0; view < parts.viewCount; ++view)
+        for (std::uint32_t view = 0; view < parts.viewCount && !parts.movesWithCull; ++view)
             field->list(view).clear(commands);
         field->recordStart(commands, parts.time);
     }
@@ -120,8 +120,7 @@ void Grass::recordCull(VkCommandBuffer buffer, std::uint32_t view)
     }
     if (drawing.obstacle == nullptr)
         parts.raster.recordBegin(commands, parts.slot, view,
-                                 depth.pyramid != nullptr ? &depth.cells.picture : nullptr,
-                                 depth.isOwn && depth.pyramid != nullptr);
+                                 depth.pyramid != nullptr ? &depth.cells.picture : nullptr);
     else
         gpu::memoryBarrier(commands, gpu::fillAccess, gpu::dispatchAccess);
     parts.walkAll(commands, view, view + 1, false);

@@ -3,8 +3,8 @@
 #include "gpu/recording/barrier.h"
 #include "render/field/placed_field.h"
 #include "render/raster/raster_rounds.h"
-#include "render/target_settings.h"
 #include "render/shader_names.h"
+#include "render/target_settings.h"
 #include "shaders/shared/constants.h"
 
 #include <algorithm>
@@ -27,15 +27,6 @@ void fit(const gpu::DeviceContext& context, std::shared_ptr<gpu::Buffer>& buffer
                                          .bytes = bytes,
                                          .usage = VK_BUFFER_USAGE_STORAGE_BUFFER_BIT |
                                                   VK_BUFFER_USAGE_TRANSFER_DST_BIT});
-}
-
-/// One thread per pixel.
-void dispatchPixels(const gpu::Recording& commands, glm::uvec2 size)
-{
-    static_assert(shared::seedThreads == shared::rasterTile);
-    commands.vk->CmdDispatch(
-        commands, static_cast<std::uint32_t>(gpu::groupsFor(size.x, shared::seedThreads)),
-        static_cast<std::uint32_t>(gpu::groupsFor(size.y, shared::seedThreads)), 1);
 }
 
 /// Tiles of shared::HostViewPush::tiles.
@@ -282,25 +273,26 @@ void HostRaster::writeTable(Slot& slot, std::uint32_t slotIndex, std::span<const
 }
 
 void HostRaster::recordBegin(const gpu::Recording& commands, std::uint32_t slotIndex,
-                             std::uint32_t viewIndex, const gpu::ImageSet* depth,
-                             bool fillsPyramid) const
+                             std::uint32_t viewIndex, const gpu::ImageSet* depth) const
 {
     const View& view = slots_[slotIndex].views[viewIndex];
     view.large->clear(commands);
     commands.vk->CmdFillBuffer(commands, view.pictures.tiles->get(), 0, VK_WHOLE_SIZE, 0);
-    if (view.seed != nullptr && depth != nullptr) {
-        view.seed->bind(commands);
-        depth->bind(commands, VK_PIPELINE_BIND_POINT_COMPUTE, view.seed->layout());
-        view.seed->push(commands, view.push);
-        dispatchPixels(commands, view.push.size);
-    } else {
+    const bool isSeeded = view.seed != nullptr && depth != nullptr;
+    if (!isSeeded)
         commands.vk->CmdFillBuffer(commands, view.pictures.visibility->get(), 0, VK_WHOLE_SIZE, 0);
-    }
     gpu::memoryBarrier(commands, gpu::fillAccess, gpu::dispatchAccess);
-    if (fillsPyramid && !view.instances.empty()) {
-        pass_.recordDepths(commands, viewOf(view), RasterPass::Levels::all);
-        gpu::computeToCompute(commands);
-    }
+    if (!isSeeded)
+        return;
+    view.seed->bind(commands);
+    depth->bind(commands, VK_PIPELINE_BIND_POINT_COMPUTE, view.seed->layout());
+    view.seed->push(commands, view.push);
+    const auto groups = [](std::uint32_t pixels) {
+        return static_cast<std::uint32_t>(
+            gpu::groupsFor(shared::pyramidCells(pixels, 0), shared::pyramidThreads));
+    };
+    commands.vk->CmdDispatch(commands, groups(view.push.size.x), groups(view.push.size.y), 1);
+    gpu::computeToCompute(commands);
 }
 
 void HostRaster::record(const gpu::Recording& commands, std::uint32_t slotIndex,

@@ -70,10 +70,10 @@ public:
                std::span<const HostView> views, Instances instances, const FrameSettings& settings);
 
     /// Fills the visibility with the host's depth, and clears lists: before the view is culled.
-    /// `depth`: the host's, as PyramidPass reads it, or null. Then fills the view's pyramid, if
-    /// `fillsPyramid`. Needs a barrier to fills before; records one to dispatches after.
+    /// `depth`: the host's, as PyramidPass reads it, or null; it fills the view's own pyramid, too.
+    /// Needs a barrier to fills before; records one to dispatches after.
     void recordBegin(const gpu::Recording& commands, std::uint32_t slot, std::uint32_t view,
-                     const gpu::ImageSet* depth, bool fillsPyramid) const;
+                     const gpu::ImageSet* depth) const;
 
     /// Rasterises and lights the view's lists. Records a barrier before and after.
     void record(const gpu::Recording& commands, std::uint32_t slot, std::uint32_t view,
