@@ -62,9 +62,11 @@ void Grass::recordUpdate(VkCommandBuffer buffer)
         if (!field->isInFrame(parts.frame))
             continue;
         field->recordReplaced(commands, parts.slot);
-        commands.vk->CmdFillBuffer(commands, field->moved().get(), 0, VK_WHOLE_SIZE, 0);
-        for (std::uint32_t view = 0; view < parts.viewCount && !parts.movesWithCull; ++view)
-            field->list(view).clear(commands);
+        if (!parts.movesWithCull) {
+            commands.vk->CmdFillBuffer(commands, field->moved().get(), 0, VK_WHOLE_SIZE, 0);
+            for (std::uint32_t view = 0; view < parts.viewCount; ++view)
+                field->list(view).clear(commands);
+        }
         field->recordStart(commands, parts.time);
     }
     parts.recordEdits(commands);
@@ -138,7 +140,8 @@ void Grass::recordCull(VkCommandBuffer buffer, std::uint32_t view)
     gpu::memoryBarrier(commands, gpu::computeAccess, gpu::anyAccess);
     parts.forEach(
         [&](const PlacedField& field) { field.recordCounts(commands, parts.slot, view); });
-    gpu::memoryBarrier(commands, gpu::transferAccess, gpu::hostAccess);
+    // The rasteriser counts on.
+    gpu::memoryBarrier(commands, gpu::transferAccess, gpu::hostOrDispatchAccess);
 }
 
 void Grass::recordRaster(VkCommandBuffer buffer, std::uint32_t view)

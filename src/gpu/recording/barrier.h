@@ -37,6 +37,8 @@ constexpr Access dispatchAccess{VK_PIPELINE_STAGE_2_DRAW_INDIRECT_BIT |
                                 VK_ACCESS_2_INDIRECT_COMMAND_READ_BIT |
                                     VK_ACCESS_2_SHADER_READ_BIT | VK_ACCESS_2_SHADER_WRITE_BIT};
 constexpr Access hostAccess{VK_PIPELINE_STAGE_2_HOST_BIT, VK_ACCESS_2_HOST_READ_BIT};
+constexpr Access hostOrDispatchAccess{hostAccess.stages | dispatchAccess.stages,
+                                      hostAccess.accesses | dispatchAccess.accesses};
 
 inline void memoryBarrier(const Recording& commands, const Access& before, const Access& after)
 {

@@ -299,7 +299,6 @@ void HostRaster::record(const gpu::Recording& commands, std::uint32_t slotIndex,
                         std::uint32_t viewIndex, Instances instances) const
 {
     const View& view = slots_[slotIndex].views[viewIndex];
-    gpu::memoryBarrier(commands, gpu::anyAccess, gpu::dispatchAccess);
     if (view.instances.empty())
         return;
     // Instances may have been removed after begin().

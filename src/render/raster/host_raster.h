@@ -75,7 +75,8 @@ public:
     void recordBegin(const gpu::Recording& commands, std::uint32_t slot, std::uint32_t view,
                      const gpu::ImageSet* depth) const;
 
-    /// Rasterises and lights the view's lists. Records a barrier before and after.
+    /// Rasterises and lights the view's lists. Needs a barrier from the cull before; records one
+    /// after.
     void record(const gpu::Recording& commands, std::uint32_t slot, std::uint32_t view,
                 Instances instances) const;
 
