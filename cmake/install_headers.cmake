@@ -1,10 +1,12 @@
 # Installs the headers of SWARD_DOORS and all that they include, below sward/: their own includes
-# become "sward/…", so that a host's core/ or render/ is never mistaken for ours. Run by
+# become "sward/…", so that a host's core/ or render/ is never mistaken for ours. Public names
+# have no folder inside of a library: gpu/device/features.h is <sward/gpu/features.h>. Run by
 # `cmake --install`; reads SWARD_SOURCE_DIR and SWARD_INCLUDE_DIR (relative to the prefix).
 cmake_policy(PUSH)
 cmake_policy(VERSION 3.25)
 set(todo ${SWARD_DOORS})
 set(done "")
+set(installed "")
 while(todo)
   list(POP_FRONT todo header)
   if(header IN_LIST done)
@@ -25,7 +27,13 @@ while(todo)
 
   file(READ ${source} text)
   string(REGEX REPLACE "(^|\n)( *# *include \")" "\\1\\2sward/" text "${text}")
-  set(target ${CMAKE_INSTALL_PREFIX}/${SWARD_INCLUDE_DIR}/sward/${header})
+  string(REGEX REPLACE "(include \"sward/(core|field|terrain|bake|gpu|render)/)[a-z_/]*/" "\\1" text "${text}")
+  string(REGEX REPLACE "^(core|field|terrain|bake|gpu|render)/.*/" "\\1/" public ${header})
+  if(public IN_LIST installed)
+    message(FATAL_ERROR "two headers would be installed as sward/${public}")
+  endif()
+  list(APPEND installed ${public})
+  set(target ${CMAKE_INSTALL_PREFIX}/${SWARD_INCLUDE_DIR}/sward/${public})
   file(WRITE "$ENV{DESTDIR}${target}" "${text}")
   list(APPEND CMAKE_INSTALL_MANIFEST_FILES ${target})
 endwhile()

@@ -8,12 +8,12 @@
 #include <shaders/box.frag.h>
 #include <shaders/box.vert.h>
 #include <sward/field/read.h>
-#include <sward/gpu/context/check.h>
-#include <sward/gpu/device/device_choice.h>
-#include <sward/gpu/device/features.h>
-#include <sward/gpu/memory/readback.h>
-#include <sward/gpu/pipeline/graphics_pipeline.h>
-#include <sward/gpu/recording/commands.h>
+#include <sward/gpu/check.h>
+#include <sward/gpu/device_choice.h>
+#include <sward/gpu/features.h>
+#include <sward/gpu/readback.h>
+#include <sward/gpu/graphics_pipeline.h>
+#include <sward/gpu/commands.h>
 #include <sward/render/grass.h>
 
 #include <algorithm>

@@ -8,15 +8,15 @@
 #include <png.h>
 #include <shaders/box.frag.h>
 #include <shaders/box.vert.h>
-#include <sward/bake/session/session.h>
-#include <sward/bake/settings/meadow.h>
-#include <sward/gpu/context/check.h>
-#include <sward/gpu/device/device_choice.h>
-#include <sward/gpu/device/features.h>
-#include <sward/gpu/memory/readback.h>
-#include <sward/gpu/pipeline/graphics_pipeline.h>
-#include <sward/gpu/recording/commands.h>
-#include <sward/gpu/recording/rendering.h>
+#include <sward/bake/session.h>
+#include <sward/bake/meadow.h>
+#include <sward/gpu/check.h>
+#include <sward/gpu/device_choice.h>
+#include <sward/gpu/features.h>
+#include <sward/gpu/readback.h>
+#include <sward/gpu/graphics_pipeline.h>
+#include <sward/gpu/commands.h>
+#include <sward/gpu/rendering.h>
 #include <sward/render/grass.h>
 #include <sward/terrain/load.h>
 

@@ -4,8 +4,8 @@
 #include <glm/ext/matrix_clip_space.hpp>
 #include <glm/ext/matrix_transform.hpp>
 #include <sward/field/read.h>
-#include <sward/gpu/context/host_device.h>
-#include <sward/gpu/device/features.h>
+#include <sward/gpu/host_device.h>
+#include <sward/gpu/features.h>
 #include <sward/render/grass.h>
 #include <vulkan/vulkan.h>
 

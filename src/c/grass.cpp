@@ -27,8 +27,8 @@ render::Placement placementOf(const sward_placement* given)
 /// `matrices` receives those of the cascades; the result refers to them.
 render::HostShadow shadowOf(const sward_shadow& given, std::vector<glm::dmat4>& matrices)
 {
-    requireUsage(given.cascade_count <= shared::maxCascades, "shadow map: {} cascades, not 1 to {}",
-                 given.cascade_count, shared::maxCascades);
+    requireUsage(given.cascade_count <= render::maxCascades, "shadow map: {} cascades, not 1 to {}",
+                 given.cascade_count, render::maxCascades);
     requireUsage(given.cascade_count == 0 || given.world_to_shadow != nullptr,
                  "shadow: world_to_shadow is null");
     for (std::uint32_t i = 0; i < given.cascade_count; ++i)

@@ -1,6 +1,8 @@
 #include "field/owned_field.h"
 
 #include "core/error.h"
+#include "field/field.h"
+#include "field/read.h"
 
 #include <utility>
 
@@ -16,6 +18,12 @@ const T& given(const std::shared_ptr<const T>& field)
 
 } // namespace
 
+/// A view, and what it is of.
+struct OwnedField::Contents {
+    FieldView view;
+    std::shared_ptr<const void> owner;
+};
+
 OwnedField::OwnedField(MappedField&& field)
     : OwnedField(std::make_shared<const MappedField>(std::move(field)))
 {
@@ -27,15 +35,18 @@ OwnedField::OwnedField(Field&& field)
 }
 
 OwnedField::OwnedField(std::shared_ptr<const MappedField> field)
-    : view_(given(field).view())
+    : contents_(std::make_shared<const Contents>(Contents{given(field).view(), field}))
 {
-    owner_ = std::move(field);
 }
 
 OwnedField::OwnedField(std::shared_ptr<const Field> field)
-    : view_(viewOf(given(field)))
+    : contents_(std::make_shared<const Contents>(Contents{viewOf(given(field)), field}))
 {
-    owner_ = std::move(field);
+}
+
+const FieldView& OwnedField::view() const&
+{
+    return contents_->view;
 }
 
 } // namespace sward::field

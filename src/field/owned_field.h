@@ -1,11 +1,12 @@
 #pragma once
 
-#include "field/field.h"
-#include "field/read.h"
-
 #include <memory>
 
 namespace sward::field {
+
+class MappedField;
+struct Field;
+struct FieldView;
 
 /// A field together with what keeps it alive: for whoever reads from it later, such as a renderer
 /// that streams its blades. Copies share the field.
@@ -17,12 +18,12 @@ public:
     OwnedField(std::shared_ptr<const MappedField> field); ///< Error{usage} if it is null
     OwnedField(std::shared_ptr<const Field> field);       ///< the same
 
-    const FieldView& view() const& { return view_; } ///< valid as long as this or a copy of it
-    const FieldView& view() const&& = delete;        ///< nothing would own it
+    const FieldView& view() const&;           ///< valid as long as this or a copy of it
+    const FieldView& view() const&& = delete; ///< nothing would own it
 
 private:
-    std::shared_ptr<const void> owner_;
-    FieldView view_;
+    struct Contents;
+    std::shared_ptr<const Contents> contents_;
 };
 
 } // namespace sward::field

@@ -15,7 +15,7 @@ namespace sward::presentation {
 /// keep their values. docs/settings.md. Throws Error{input}.
 void readEnvironment(SettingsReader& reader, render::FrameSettings& settings);
 
-/// Name of shared::windNoise … in a settings file.
+/// Name of windNoise … in a settings file.
 std::string_view windKindName(std::uint32_t kind);
 
 } // namespace sward::presentation

@@ -1,10 +1,14 @@
 #include "render/colliders.h"
 
+#include "shaders/shared/collision.h"
+
 #include <glm/common.hpp>
 
 #include <algorithm>
 
 namespace sward::render {
+
+static_assert(maxColliders == shared::maxColliders);
 
 glm::dvec3 moveAt(const Collider& collider, double time)
 {

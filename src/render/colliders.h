@@ -1,13 +1,19 @@
 #pragma once
 
-#include "shaders/shared/collision.h"
-
 #include <glm/vec3.hpp>
 
+#include <cstddef>
 #include <span>
 #include <vector>
 
+namespace sward::shared {
+struct Collider;
+} // namespace sward::shared
+
 namespace sward::render {
+
+/// Largest number of colliders of a frame.
+inline constexpr std::size_t maxColliders = 256;
 
 /// An object that pushes blades aside: a capsule, or a sphere if both ends coincide. World space.
 struct Collider {

@@ -6,6 +6,7 @@
 #include "render/field/blade_record.h"
 #include "render/field_renderer_settings.h"
 #include "render/frame_settings.h"
+#include "render/frame_stats.h"
 
 #include <glm/vec2.hpp>
 #include <vulkan/vulkan.h>

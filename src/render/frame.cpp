@@ -1,6 +1,9 @@
 #include "render/frame.h"
 
+#include "field/field.h"
 #include "render/frame_time.h"
+#include "shaders/shared/culling.h"
+#include "shaders/shared/physics.h"
 
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
@@ -17,6 +20,11 @@ namespace {
 /// 1.1 m away, deviates by at most a quarter pixel at 1080 rows. Equals the reference pictures'
 /// number, and the segments that a work-group of the rasteriser tests together.
 constexpr std::uint32_t defaultMaxSegments = 16;
+
+static_assert(cullPatch == shared::cullPatch && cullOrientation == shared::cullOrientation &&
+              cullFrustum == shared::cullFrustum && cullDistance == shared::cullDistance &&
+              cullOcclusion == shared::cullOcclusion);
+static_assert(shared::forwardShare == 0.25f, "the default of FrameSettings::forward");
 
 glm::vec3 unitOr(glm::vec3 v, glm::vec3 otherwise)
 {

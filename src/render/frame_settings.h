@@ -1,12 +1,9 @@
 #pragma once
 
-#include "field/field.h"
+#include "field/defaults.h"
 #include "render/camera.h"
 #include "render/colliders.h"
-#include "render/frame_stats.h"
 #include "render/wind.h"
-#include "shaders/shared/culling.h"
-#include "shaders/shared/physics.h"
 
 #include <glm/vec3.hpp>
 
@@ -15,7 +12,21 @@
 #include <optional>
 #include <vector>
 
+namespace sward::field {
+struct FieldView;
+} // namespace sward::field
+
 namespace sward::render {
+
+/// Tests that drop blades: bits of FrameSettings::cullMask.
+enum CullingTest : std::uint32_t {
+    cullPatch = 1,       ///< whole patches
+    cullOrientation = 2, ///< blades seen from their edge
+    cullFrustum = 4,     ///< beside the picture
+    cullDistance = 8,    ///< beyond the draw distance
+    cullOcclusion = 16,  ///< behind depth
+    cullByAll = 31       ///< all of them
+};
 
 /// `reason` draws every blade in the colour of its cull result; the renderer must record cull
 /// results.
@@ -43,14 +54,12 @@ struct UpdateRate {
 /// All settings that may change from frame to frame. Starts from a field's defaults.
 struct FrameSettings {
     field::Defaults environment;          ///< gravity, recovery, draw distance; its wind is ignored
-    float forward = shared::forwardShare; ///< [0, 1] share of gravity that bends a blade forward
+    float forward = 0.25f; ///< [0, 1] share of gravity that bends a blade forward
     WindFrame windFrame; ///< of the field: the world itself, unless a host places it elsewhere
-    std::vector<WindSource> winds = sourcesOf(environment.wind); ///< at most shared::maxWindSources
-    std::vector<Collider> colliders;                             ///< at most shared::maxColliders
+    std::vector<WindSource> winds = sourcesOf(environment.wind); ///< at most maxWindSources
+    std::vector<Collider> colliders;                             ///< at most maxColliders
 
-    /// Enabled culling tests: shared::cullPatch …
-    std::uint32_t cullMask = shared::cullPatch | shared::cullOrientation | shared::cullFrustum |
-                             shared::cullDistance | shared::cullOcclusion;
+    std::uint32_t cullMask = cullByAll; ///< enabled tests: cullPatch …
     /// Thinned-out blades are neither moved nor culled, wherever in their patch they stand. One
     /// that is drawn again fades in, settled in its wind.
     bool leavesThinned = true;

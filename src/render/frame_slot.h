@@ -7,6 +7,7 @@
 #include "render/field/frame_tables.h"
 #include "render/frame_place.h"
 #include "render/frame_settings.h"
+#include "render/frame_stats.h"
 #include "shaders/shared/frame.h"
 
 #include <vulkan/vulkan.h>

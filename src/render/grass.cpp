@@ -2,6 +2,8 @@
 
 #include "core/embedded.h"
 #include "core/error.h"
+#include "gpu/context/context.h"
+#include "render/access.h"
 #include "render/grass_parts.h"
 #include "render/host_checks.h"
 #include "shaders/shared/passes.h"
@@ -63,7 +65,7 @@ InstanceId Grass::add(const FieldInstance& instance)
     Parts& parts = *parts_;
     requireUsage(instance.field != nullptr, "FieldInstance::field is null");
     requireValid(instance.placement);
-    parts.take(instance.field->parts());
+    parts.take(Access::of(*instance.field));
     const std::uint64_t id = ++parts.lastId;
     parts.placed.emplace(id,
                          std::make_unique<PlacedField>(parts.context, instance, parts.settings));
@@ -88,7 +90,7 @@ void Grass::remove(InstanceId id)
 
 void Grass::edit(ResidentField& field, const field::Delta& delta)
 {
-    ResidentField::Parts& edited = field.parts();
+    ResidentField::Parts& edited = Access::of(field);
     requireUsage(edited.edits != nullptr, "FieldBudget::isEditable of the field is not set");
     parts_->take(edited);
     edited.edits->apply(delta);

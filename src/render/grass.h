@@ -1,7 +1,5 @@
 #pragma once
 
-#include "field/delta.h"
-#include "gpu/context/context.h"
 #include "render/frame_stats.h"
 #include "render/grass_frame.h"
 #include "render/placement.h"
@@ -13,6 +11,10 @@
 #include <cstdint>
 #include <memory>
 #include <optional>
+
+namespace sward::field {
+struct Delta;
+} // namespace sward::field
 
 namespace sward::render {
 

@@ -1,7 +1,6 @@
 #pragma once
 
 #include "render/frame_settings.h"
-#include "render/frame_time.h"
 #include "render/host_light.h"
 #include "render/host_view.h"
 
@@ -30,7 +29,7 @@ struct GrassFrame {
     /// Wind, gravity, sun, sky and level of detail, all in world space. Its colliders are ignored,
     /// and there is no fog if `fogDensity` is below 0.
     const FrameSettings& settings;
-    std::span<const HostCollider> colliders{}; ///< at most shared::maxColliders
+    std::span<const HostCollider> colliders{}; ///< at most maxColliders
     HostLight light{};                         ///< the host's ambient light and lamps on blades
 };
 

@@ -1,7 +1,9 @@
 #include "core/error.h"
 #include "gpu/context/debug.h"
 #include "gpu/recording/barrier.h"
+#include "render/access.h"
 #include "render/grass_parts.h"
+#include "render/tessellation/blade_target_parts.h"
 #include "shaders/shared/passes.h"
 
 #include <algorithm>
@@ -184,7 +186,7 @@ const char* Grass::whyTessellated(std::uint32_t view, const BladeTarget& target)
         return obstacle;
     if (target.settings().samples != parts_->drawing(view).samples)
         return "the target has another number of samples than the view";
-    return target.visibilityPipeline() != nullptr
+    return Access::of(target).visibility
                ? nullptr
                : "the device draws the rasteriser's result into no such target";
 }
@@ -209,19 +211,19 @@ void Grass::recordDraw(VkCommandBuffer buffer, std::uint32_t view, const BladeTa
     parts.requireTarget(view, target);
     const gpu::Recording commands(parts.context, buffer);
     const gpu::LabelScope label(parts.context, commands, "grass/draw");
-    const gpu::GraphicsPipeline* const visibility = target.visibilityPipeline();
+    const BladeTarget::Parts& drawn = Access::of(target);
     // What is stored is not drawn a second time; only its depth may be.
     if (drawing.isRastered && drawing.storeObstacle == nullptr &&
         !target.settings().colorFormats.empty())
         return;
     if (drawing.isRastered && whyTessellated(view, target) == nullptr) {
-        parts.raster.recordDraw(commands, parts.slot, view, *visibility);
+        parts.raster.recordDraw(commands, parts.slot, view, *drawn.visibility);
         return;
     }
     const bool isColored = !target.settings().colorFormats.empty();
     const gpu::GraphicsPipeline& pipeline = isColored && parts.shadowMaps.isLit(parts.slot, view)
-                                                ? target.hostLightPipeline()
-                                                : target.pipeline();
+                                                ? drawn.hostLight
+                                                : drawn.tessellated;
     pipeline.bind(commands);
     if (isColored)
         parts.shadowMaps.of(parts.slot, view)

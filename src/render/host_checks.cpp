@@ -2,8 +2,6 @@
 
 #include "core/error.h"
 #include "render/frame_time.h"
-#include "shaders/shared/collision.h"
-#include "shaders/shared/wind.h"
 
 #include <glm/geometric.hpp>
 #include <glm/matrix.hpp>
@@ -131,10 +129,10 @@ void requireCounts(const FrameCounts& counts, const Grass::Settings& settings)
     requireUsage(counts.views <= settings.maxViews,
                  "{} views in a frame, and Grass::Settings::maxViews is {}", counts.views,
                  settings.maxViews);
-    requireUsage(counts.colliders <= shared::maxColliders, "{} colliders; a frame has at most {}",
-                 counts.colliders, shared::maxColliders);
-    requireUsage(counts.lamps <= shared::maxLamps, "{} lamps; a frame has at most {}", counts.lamps,
-                 shared::maxLamps);
+    requireUsage(counts.colliders <= maxColliders, "{} colliders; a frame has at most {}",
+                 counts.colliders, maxColliders);
+    requireUsage(counts.lamps <= maxLamps, "{} lamps; a frame has at most {}", counts.lamps,
+                 maxLamps);
 }
 
 void requireValid(const GrassFrame& frame, const Grass::Settings& settings)
@@ -156,8 +154,8 @@ void requireValid(const FrameSettings& settings)
 {
     const auto blowing = std::ranges::count_if(
         settings.winds, [](const WindSource& wind) { return wind.source.strength > 0.0f; });
-    requireUsage(blowing <= std::ptrdiff_t(shared::maxWindSources),
-                 "{} winds; at most {} blow at once", blowing, shared::maxWindSources);
+    requireUsage(blowing <= std::ptrdiff_t(maxWindSources),
+                 "{} winds; at most {} blow at once", blowing, maxWindSources);
     for (const WindSource& wind : settings.winds)
         requireUsage(wind.source.kind < shared::windKinds, "wind kind {}; there are {}",
                      wind.source.kind, shared::windKinds);

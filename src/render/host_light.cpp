@@ -2,6 +2,7 @@
 
 #include "core/error.h"
 #include "render/host_view.h"
+#include "render/lit_field.h"
 
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
@@ -14,6 +15,8 @@
 
 namespace sward::render {
 namespace {
+
+static_assert(maxCascades == shared::maxCascades && maxLamps == shared::maxLamps);
 
 /// Lamps do not get brighter below this distance [m].
 constexpr double nearestLamp = 0.01;

@@ -1,19 +1,20 @@
 #pragma once
 
-#include "core/bounds.h"
 #include "render/host_image.h"
-#include "render/placement.h"
-#include "shaders/shared/host_light.h"
 
 #include <glm/mat4x4.hpp>
 #include <glm/vec3.hpp>
 #include <vulkan/vulkan.h>
 
 #include <array>
+#include <cstddef>
 #include <optional>
 #include <span>
 
 namespace sward::render {
+
+inline constexpr std::size_t maxCascades = 4; ///< of a shadow map
+inline constexpr std::size_t maxLamps = 16;   ///< of a frame
 
 /// The host's shadow map of its sun, as a view needs it: one layer for each cascade. Blades in
 /// shadow get no sun, neither reflected nor through the blade; other light stays. A place is looked
@@ -26,7 +27,7 @@ struct HostShadow {
     VkImageLayout layout = VK_IMAGE_LAYOUT_SHADER_READ_ONLY_OPTIMAL; ///< while it is read
 
     /// By layer, the finest first: from the world to Vulkan's clip space, by parallel rays. 1 to
-    /// shared::maxCascades, finite. Read until Grass::begin() returns.
+    /// maxCascades, finite. Read until Grass::begin() returns.
     std::span<const glm::dmat4> worldToShadow{};
     bool hasReversedZ = true; ///< true: 1 nearest to the sun; false: 0 nearest
 
@@ -77,23 +78,11 @@ struct HostLamp {
 /// of FrameSettings: the sun always is.
 struct HostLight {
     std::optional<HostAmbient> ambient{}; ///< instead of the sky's and the ground's colours
-    std::span<const HostLamp> lamps{};    ///< at most shared::maxLamps
+    std::span<const HostLamp> lamps{};    ///< at most maxLamps
 };
 
 /// Throw Error{usage} that names what is out of range. requireCounts() has counted the lamps.
 void requireValid(const HostLight& light);
 void requireValid(const HostShadow& shadow);
-
-/// A field that is lit: its placement, origin and content, and the direction of its sky.
-struct LitField {
-    const Placement& placement;
-    glm::dvec3 origin{0.0};
-    const Aabb& content;
-    glm::vec3 skyUp{0.0f, 1.0f, 0.0f}; ///< unit, of the field
-};
-
-/// Light and shadow for the shaders. Leaves out lamps that do not reach the content.
-shared::HostLight hostLightOf(const HostLight& light, const std::optional<HostShadow>& shadow,
-                              const LitField& field);
 
 } // namespace sward::render

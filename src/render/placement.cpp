@@ -1,5 +1,6 @@
 #include "render/placement.h"
 
+#include "render/frame_settings.h"
 #include "render/wind_phase.h"
 
 namespace sward::render {

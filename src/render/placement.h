@@ -1,12 +1,12 @@
 #pragma once
 
-#include "render/frame_settings.h"
-
 #include <glm/gtc/quaternion.hpp>
 #include <glm/mat4x4.hpp>
 #include <glm/vec3.hpp>
 
 namespace sward::render {
+
+struct FrameSettings;
 
 /// Placement of a field in the host's world: world = position + scale · rotation · place. Places
 /// are in the field file's coordinates, with its origin added.

@@ -9,6 +9,11 @@
 #include <cstdint>
 #include <memory>
 
+namespace sward::field {
+struct Defaults;
+struct FieldView;
+} // namespace sward::field
+
 namespace sward::gpu {
 struct DeviceContext;
 } // namespace sward::gpu
@@ -64,11 +69,10 @@ public:
     VkDeviceSize deviceBytes() const;        ///< with the mapped memory of streaming and edits
     VkDeviceSize stagingBytes() const;       ///< of the upload
 
-    struct Parts;
-    const Parts& parts() const { return *parts_; } ///< for Sward's own passes
-    Parts& parts() { return *parts_; }
+    struct Parts; ///< its members; private to the library
 
 private:
+    friend struct Access;
     std::unique_ptr<Parts> parts_;
 };
 

@@ -1,6 +1,8 @@
 #pragma once
 
+#include "field/field.h"
 #include "gpu/memory/staged_upload.h"
+#include "render/access.h"
 #include "render/field/baked_blades.h"
 #include "render/field/field_looks.h"
 #include "render/field/grass_cover.h"

@@ -2,6 +2,8 @@
 
 #include "core/error.h"
 #include "core/expect.h"
+#include "field/defaults.h"
+#include "shaders/shared/wind.h"
 
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
@@ -13,12 +15,26 @@
 namespace sward::render {
 namespace {
 
+static_assert(windNoise == shared::windNoise && windTurning == shared::windTurning &&
+              windWave == shared::windWave && windRadial == shared::windRadial &&
+              windSwirl == shared::windSwirl && windGusts == shared::windGusts);
+static_assert(windKinds == shared::windKinds && maxWindSources == shared::maxWindSources);
+
 /// Size [m] at which a turning wind is uniform.
 constexpr float everywhere = 1e9f;
 
 shared::WindSource relativeTo(glm::dvec3 origin, const WindSource& wind, const glm::quat& toWorld)
 {
-    shared::WindSource result = wind.source;
+    shared::WindSource result = {};
+    result.direction = wind.source.direction;
+    result.strength = wind.source.strength;
+    result.size = wind.source.size;
+    result.speed = wind.source.speed;
+    result.rate = wind.source.rate;
+    result.turn = wind.source.turn;
+    result.alignment = wind.source.alignment;
+    result.lift = wind.source.lift;
+    result.kind = wind.source.kind;
     const float length = glm::length(result.direction);
     result.direction = length > 0.0f ? result.direction / length : glm::vec3(1.0f, 0.0f, 0.0f);
     result.size = std::max(result.size, smallestWindSize);
@@ -46,34 +62,34 @@ shared::WindLattice latticeOf(glm::dvec3 origin, const WindFrame& frame)
 
 WindSource windSource(std::uint32_t kind)
 {
-    requireUsage(kind < shared::windKinds, "wind kind {}; there are {}", kind, shared::windKinds);
+    requireUsage(kind < windKinds, "wind kind {}; there are {}", kind, windKinds);
     WindSource wind;
-    shared::WindSource& s = wind.source;
+    WindPattern& s = wind.source;
     s.kind = kind;
     s.direction = {0.8f, 0.0f, 0.6f};
     s.strength = 3.0f;
     s.speed = 2.6f;
     s.alignment = 1.0f;
     switch (kind) {
-    case shared::windTurning:
+    case windTurning:
         s.size = everywhere;
         s.rate = 1.0f;
         break;
-    case shared::windWave:
+    case windWave:
         s.size = 7.0f;
         break;
     // The paper's helicopter rings pull independently of a blade's direction. They travel at 10
     // blade lengths per second; its swirl at 15.
-    case shared::windRadial:
+    case windRadial:
         s.size = 75.0f;
         s.speed = 10.0f;
         s.alignment = 0.0f;
         break;
-    case shared::windSwirl:
+    case windSwirl:
         s.size = 30.0f;
         s.speed = 15.0f;
         break;
-    case shared::windGusts:
+    case windGusts:
         s.size = 12.0f;
         s.speed = 5.0f;
         break;
@@ -86,8 +102,8 @@ WindSource windSource(std::uint32_t kind)
 
 std::vector<WindSource> sourcesOf(const field::Wind& breeze)
 {
-    WindSource wave = windSource(shared::windWave);
-    WindSource noise = windSource(shared::windNoise);
+    WindSource wave = windSource(windWave);
+    WindSource noise = windSource(windNoise);
     wave.source.strength = breeze.strength * (1.0f - breeze.gustiness);
     wave.source.size = breeze.waveLength;
     noise.source.strength = breeze.strength * breeze.gustiness;
@@ -156,6 +172,11 @@ shared::Wind together(std::span<const shared::WindSource> sources, float extent,
         wind.eddySpeed = std::max(wind.eddySpeed, std::abs(source.speed));
     }
     return wind;
+}
+
+shared::Wind together(std::span<const shared::WindSource> sources, float extent)
+{
+    return together(sources, extent, latticeOf(glm::dvec3(0.0), {}));
 }
 
 } // namespace sward::render

@@ -76,7 +76,7 @@ void moveNoise(shared::WindPhase& phase, const WindPace& pace, double time)
 
 } // namespace
 
-WindPace paceOf(const shared::WindSource& source)
+WindPace paceOf(const WindPattern& source)
 {
     const glm::dvec3 direction(source.direction);
     const double length = glm::length(direction);

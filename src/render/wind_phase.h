@@ -8,7 +8,7 @@
 namespace sward::render {
 
 /// The pace of a source of the world, from its own direction, speed and size.
-WindPace paceOf(const shared::WindSource& source);
+WindPace paceOf(const WindPattern& source);
 
 /// How far the pattern of a source has moved on at `time` [s] since time 0. Computed in double
 /// precision: the error is that of one rounding to single precision at any time, and of

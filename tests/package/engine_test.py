@@ -11,9 +11,9 @@ REFERENCE = PAGE.with_name("engine_reference.md")
 
 # Structs of a host, and the headers that have them.
 STRUCTS = {
-    "gpu::HostDevice": "gpu/context/host_device.h", "render::FieldBudget": "render/resident_field.h",
+    "gpu::HostDevice": "gpu/host_device.h", "render::FieldBudget": "render/resident_field.h",
     "render::Grass::Settings": "render/grass.h", "render::FieldInstance": "render/grass.h",
-    "render::Placement": "render/placement.h", "render::HostTarget": "render/tessellation/blade_target.h",
+    "render::Placement": "render/placement.h", "render::HostTarget": "render/blade_target.h",
     "render::GrassFrame": "render/grass_frame.h", "render::HostView": "render/host_view.h",
     "render::HostDepth": "render/host_view.h", "render::HostShadow": "render/host_light.h",
     "render::StoredPicture": "render/stored_picture.h", "render::HostImage": "render/host_image.h",

@@ -25,8 +25,8 @@ FOLDERS = {"field": ["core", "field", "shaders"], "bake": ["terrain", "bake"],
 
 # Doors that are enough for the programs below.
 DOORS = {"field": ["field/read.h"],
-         "bake": ["bake/bake.h", "bake/settings/meadow.h", "field/write.h", "terrain/load.h"],
-         "render": ["gpu/device/features.h"]}
+         "bake": ["bake/bake.h", "bake/meadow.h", "field/write.h", "terrain/load.h"],
+         "render": ["gpu/features.h"]}
 
 # A program that does what its component is for.
 PROGRAMS = {

@@ -5,6 +5,7 @@
 #include "render/field/frame_tables.h"
 #include "render/frame_time.h"
 #include "render/host_shadow_maps.h"
+#include "render/lit_field.h"
 
 #include <algorithm>
 #include <cstring>
@@ -57,8 +58,8 @@ PlacedField::PlacedField(const gpu::DeviceContext& context, const FieldInstance&
     : context_(&context)
     , instance_(instance)
     , settings_(settings)
-    , states_(context, instance.field->parts().blades,
-              {.before = settings.keepsMotion, .etas = instance.field->parts().blades.isPaged()})
+    , states_(context, Access::of(*instance.field).blades,
+              {.before = settings.keepsMotion, .etas = Access::of(*instance.field).blades.isPaged()})
     , moved_(countsBuffer(context, "instance/moved", 1, gpu::MemoryUse::device))
     , replaced_(settings.framesInFlight)
 {
@@ -89,7 +90,7 @@ PlacedField::PlacedField(const gpu::DeviceContext& context, const FieldInstance&
 void PlacedField::write(std::uint32_t slot, const GrassFrame& frame, std::uint32_t number,
                         std::span<const ViewPyramids> pyramids)
 {
-    const ResidentField::Parts& field = instance_.field->parts();
+    const ResidentField::Parts& field = Access::of(*instance_.field);
     const Placement& placement = instance_.placement;
     followEdits();
     while (lists_.size() < frame.views.size())
@@ -209,7 +210,7 @@ shared::Motion PlacedField::motionOf(const GrassFrame& frame, const HostView& vi
     const Placement& before = written_ == 0 ? instance_.placement : placementBefore_;
     shared::Motion motion = {};
     motion.clipBefore = glm::mat4(view.clipBefore.value_or(view.worldToClip) *
-                                  before.toWorld(instance_.field->parts().shape.origin));
+                                  before.toWorld(Access::of(*instance_.field).shape.origin));
     motion.statesBefore = states_.before();
     motion.moves = hasMoved_ && tickOf(frame.time) != tickOf(timeBefore_) ? 1 : 0;
     return motion;

@@ -50,7 +50,7 @@ public:
     bool isInFrame(std::uint32_t number) const { return written_ == number; }
     bool isUploaded() const { return instance_.field->isUploaded(); }
 
-    const BakedBlades& blades() const { return instance_.field->parts().blades; }
+    const BakedBlades& blades() const { return Access::of(*instance_.field).blades; }
     const BladeStates& states() const { return states_; }
     const VisibleBlades& list(std::uint32_t view) const { return lists_[view]; }
     const FieldLooks& looks() const { return instance_.field->parts().looks; }
@@ -79,10 +79,10 @@ public:
     void thin(std::uint32_t slot, std::span<const shared::Eyepoint> raised) const;
 
     /// The streaming of its field; null if all blades are resident.
-    Streaming* streaming() const { return instance_.field->parts().streaming.get(); }
+    Streaming* streaming() const { return Access::of(*instance_.field).streaming.get(); }
 
     /// The edits of its field; null if it is not editable.
-    ResidentEdits* edits() const { return instance_.field->parts().edits.get(); }
+    ResidentEdits* edits() const { return Access::of(*instance_.field).edits.get(); }
 
     /// Copies the states to larger buffers, if edits have replaced these. The former commands of
     /// `slot` must have completed.

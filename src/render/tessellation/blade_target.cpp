@@ -7,8 +7,11 @@
 #include "render/host_shadow_maps.h"
 #include "render/shader_names.h"
 #include "render/tessellation/blade_pass.h"
+#include "render/tessellation/blade_target_parts.h"
 #include "shaders/shared/constants.h"
 #include "shaders/shared/passes.h"
+
+#include <memory>
 
 namespace sward::embedded {
 std::span<const EmbeddedFile> shaders();
@@ -148,16 +151,21 @@ gpu::GraphicsPipeline makePipeline(const gpu::DeviceContext& context, const Host
 
 } // namespace
 
+BladeTarget::Parts::Parts(const gpu::DeviceContext& context, const HostTarget& target)
+    : tessellated(makePipeline(context, target, false))
+{
+    if (!target.colorFormats.empty())
+        hostLight = makePipeline(context, target, true);
+    if (mayShowVisibility(context, target))
+        visibility.emplace(context, gpu::ShaderLibrary(embedded::shaders()),
+                           visibilityPipelineFor(target));
+}
+
 BladeTarget::BladeTarget(const gpu::DeviceContext& context, const HostTarget& target)
     : device_(context.device)
     , settings_(checkedTarget(context, target))
-    , pipeline_(makePipeline(context, target, false))
+    , parts_(std::make_shared<const Parts>(context, target))
 {
-    if (!target.colorFormats.empty())
-        hostLight_ = makePipeline(context, target, true);
-    if (mayShowVisibility(context, target))
-        visibility_.emplace(context, gpu::ShaderLibrary(embedded::shaders()),
-                            visibilityPipelineFor(target));
 }
 
 } // namespace sward::render

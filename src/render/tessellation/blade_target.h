@@ -1,13 +1,14 @@
 #pragma once
 
-#include "gpu/context/context.h"
-#include "gpu/pipeline/graphics_pipeline.h"
-
 #include <vulkan/vulkan.h>
 
 #include <cstdint>
-#include <optional>
+#include <memory>
 #include <vector>
+
+namespace sward::gpu {
+struct DeviceContext;
+} // namespace sward::gpu
 
 namespace sward::render {
 
@@ -31,7 +32,7 @@ struct HostTarget {
     std::uint32_t subpass = 0;                ///< of the render pass
 };
 
-/// The pipelines that draw blades into such targets.
+/// Draws blades into such targets. Copies share what the device holds.
 class BladeTarget {
 public:
     /// Throws Error{usage} that names a wrong member of `target`; Error{runtime} or
@@ -39,28 +40,17 @@ public:
     /// commands that draw with it.
     BladeTarget(const gpu::DeviceContext& context, const HostTarget& target);
 
-    /// The pipeline of the tessellator.
-    const gpu::GraphicsPipeline& pipeline() const { return pipeline_; }
-
-    /// The same in a host's light (HostShadowMaps); null in a target without colours.
-    const gpu::GraphicsPipeline& hostLightPipeline() const { return hostLight_; }
-
-    /// The pipeline that draws the compute rasteriser's visibility; null if the device or the
-    /// sample count does not support it.
-    const gpu::GraphicsPipeline* visibilityPipeline() const
-    {
-        return visibility_ ? &*visibility_ : nullptr;
-    }
-
     VkDevice device() const { return device_; }              ///< of the context
     const HostTarget& settings() const { return settings_; } ///< as given to the constructor
 
+    struct Parts; ///< its members; private to the library
+
 private:
+    friend struct Access;
+
     VkDevice device_;
     HostTarget settings_;
-    gpu::GraphicsPipeline pipeline_;
-    gpu::GraphicsPipeline hostLight_;
-    std::optional<gpu::GraphicsPipeline> visibility_;
+    std::shared_ptr<const Parts> parts_;
 };
 
 } // namespace sward::render

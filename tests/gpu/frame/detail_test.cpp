@@ -166,7 +166,7 @@ void DetailTest::measureCoverage(Geometry geometry, bool forCpu)
         without.buckets = {1, 1e-3f};
         FrameSettings whole = settings;
         whole.levelOfDetail = false;
-        whole.cullMask &= ~shared::cullOrientation;
+        whole.cullMask &= ~cullOrientation;
         for (int view = 0; view < 8; ++view) {
             Camera camera;
             camera.eye = {3.0 * (view - 3.5), 3.0, 0.5 * side - 1.0};

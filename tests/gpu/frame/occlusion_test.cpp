@@ -2,6 +2,7 @@
 
 #include "core/random.h"
 #include "picture.h"
+#include "shaders/shared/culling.h"
 #include "support/fields/fields.h"
 #include "support/gpu/gpu_fixture.h"
 #include "thicket.h"

@@ -2,6 +2,7 @@
 
 #include "core/error.h"
 #include "host_picture.h"
+#include "render/lit_field.h"
 #include "shadow_map.h"
 
 #include <glm/geometric.hpp>

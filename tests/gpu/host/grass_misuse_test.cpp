@@ -336,7 +336,7 @@ TEST_F(GrassMisuseTest, AFrameThatIsWrongLeavesTheFrameBefore)
         change(view);
         expectMisuse([&] { beginWith(grass, view); }, words);
     }
-    const std::vector<HostCollider> many(shared::maxColliders + 1);
+    const std::vector<HostCollider> many(maxColliders + 1);
     expectMisuse([&] { begin({.settings = settings_, .colliders = many}); }, {"257", "256"});
     const HostCollider flat{.radius = 0.0};
     expectMisuse(
@@ -344,13 +344,13 @@ TEST_F(GrassMisuseTest, AFrameThatIsWrongLeavesTheFrameBefore)
             begin({.settings = settings_, .colliders = {&flat, 1}});
         },
         {"collider 0", "radius is 0"});
-    const std::vector<HostLamp> lamps(shared::maxLamps + 1);
+    const std::vector<HostLamp> lamps(maxLamps + 1);
     expectMisuse([&] { begin({.settings = settings_, .light = {.lamps = lamps}}); },
                  {"17 lamps", "16"});
     FrameSettings settings = settings_;
-    settings.winds.assign(shared::maxWindSources + 1, windSource(shared::windGusts));
+    settings.winds.assign(maxWindSources + 1, windSource(windGusts));
     expectMisuse([&] { begin({.settings = settings}); },
-                 {std::to_string(shared::maxWindSources + 1) + " winds"});
+                 {std::to_string(maxWindSources + 1) + " winds"});
     settings = settings_;
     settings.sunDirection = glm::vec3(0.0f);
     expectMisuse([&] { begin({.settings = settings}); }, {"sun"});
@@ -426,7 +426,7 @@ TEST_F(GrassMisuseTest, AWholePictureRefusesWhatItCannotDraw)
         expectMisuse([&] { renderer.recordUpdateOnly(commands, settings_, 0.0, 1); },
                      {"slot 1", "framesInFlight is 1"});
         FrameSettings settings = settings_;
-        settings.colliders.resize(shared::maxColliders + 1);
+        settings.colliders.resize(maxColliders + 1);
         expectMisuse([&] { renderer.recordUpdateOnly(commands, settings, 0.0); }, {"257", "256"});
         settings = settings_;
         settings.debug = DebugMode::reason;

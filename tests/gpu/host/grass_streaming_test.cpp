@@ -1,6 +1,7 @@
 // A host's fields larger than their budgets: blades that any view sees come gradually.
 
 #include "core/error.h"
+#include "field/read.h"
 #include "field/write.h"
 #include "gpu/recording/frame_ring.h"
 #include "host_picture.h"

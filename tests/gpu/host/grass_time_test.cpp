@@ -21,7 +21,7 @@ protected:
     GrassTimeTest()
     {
         // Its pattern repeats after twenty waves, of 4 s each.
-        WindSource wave = windSource(shared::windWave);
+        WindSource wave = windSource(windWave);
         wave.source.strength = 8.0f;
         wave.source.size = 8.0f;
         wave.source.speed = 2.0f;

@@ -1,7 +1,9 @@
 // What is streamed is owned: by type, neither a temporary nor a mere view can be streamed from.
 
 #include "core/error.h"
+#include "field/field.h"
 #include "field/owned_field.h"
+#include "field/read.h"
 #include "render/resident_field.h"
 #include "support/fields/fields.h"
 

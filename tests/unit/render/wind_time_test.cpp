@@ -50,7 +50,7 @@ double noiseOf(dvec3 place)
 /// The wind of a source over level ground, by the formulas of docs/algorithms/wind.md.
 dvec3 windOf(const WindSource& wind, dvec3 place, double time)
 {
-    const shared::WindSource& source = wind.source;
+    const WindPattern& source = wind.source;
     const dvec3 d = glm::normalize(dvec3(source.direction));
     const dvec3 side = glm::normalize(glm::cross(d, dvec3(0.0, 1.0, 0.0)));
     const double size = double(source.size);

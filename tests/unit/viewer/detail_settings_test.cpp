@@ -39,7 +39,7 @@ TEST(DetailSettings, SetWhatTheyName)
         "detail": {"thin_and_widen": false, "thin_below_px": 0.5, "min_width": 2, "segments": 7,
                    "steps": [{"distance": 5, "segments": 16}, {"distance": 10, "segments": 12}],
                    "move_every_frame": 8, "move_every_third": 16}})");
-    EXPECT_EQ(read.cullMask, shared::cullOrientation | shared::cullFrustum | shared::cullDistance);
+    EXPECT_EQ(read.cullMask, render::cullOrientation | render::cullFrustum | render::cullDistance);
     EXPECT_EQ(read.maxEdgeOn, 0.9f);
     EXPECT_EQ(read.environment.drawDistance, 40.0f);
     EXPECT_EQ(read.buckets.count, 7u);

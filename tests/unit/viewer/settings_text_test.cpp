@@ -38,15 +38,15 @@ FrameSettings unusual()
     s.environment.drawDistance = 123.4f;
     s.forward = 0.6f;
     s.winds.clear();
-    for (std::uint32_t kind = 0; kind < shared::windKinds; ++kind) {
+    for (std::uint32_t kind = 0; kind < render::windKinds; ++kind) {
         s.winds.push_back(windSource(kind));
         s.winds.back().source.strength = 0.1f + static_cast<float>(kind);
         s.winds.back().source.lift = 0.3f;
     }
-    s.winds[shared::windSwirl].centre = {7.0, 8.0, 9.5};
+    s.winds[render::windSwirl].centre = {7.0, 8.0, 9.5};
     s.colliders = {{{1.0, 2.0, 3.0}, {1.0, 2.0, 3.0}, 0.3, {}},
                    {{1.0, 2.0, 3.0}, {4.0, 2.0, 3.0}, 0.2, {{0.0, {}}, {1.5, {1.0, 0.0, 0.0}}}}};
-    s.cullMask = shared::cullFrustum | shared::cullOcclusion;
+    s.cullMask = render::cullFrustum | render::cullOcclusion;
     s.levelOfDetail = false;
     s.lodThreshold = 2.5f;
     s.exposure = 0.37f;

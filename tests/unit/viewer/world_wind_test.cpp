@@ -1,5 +1,6 @@
 // The wind of the world is one for all fields, wherever a host places them.
 
+#include "render/frame_settings.h"
 #include "render/placement.h"
 #include "render/wind_phase.h"
 

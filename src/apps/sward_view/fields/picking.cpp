@@ -1,5 +1,7 @@
 #include "apps/sward_view/fields/picking.h"
 
+#include "shaders/shared/culling.h"
+
 #include <glm/geometric.hpp>
 #include <glm/trigonometric.hpp>
 

@@ -2,6 +2,7 @@
 
 #include "gpu/recording/statistics.h"
 #include "render/frame_settings.h"
+#include "render/frame_stats.h"
 
 #include <glm/vec2.hpp>
 

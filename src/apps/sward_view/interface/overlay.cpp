@@ -125,10 +125,10 @@ void Overlay::drawWinds(const ViewerState& state) const
     const double length = 0.4 * std::max(size.x, size.z) / arrowsAcross;
     for (std::size_t i = 0; i < state.settings.winds.size(); ++i) {
         const render::WindSource& wind = state.settings.winds[i];
-        const shared::WindSource& s = wind.source;
+        const render::WindPattern& s = wind.source;
         if (s.strength <= 0.0f)
             continue;
-        const bool isRound = s.kind == shared::windRadial || s.kind == shared::windSwirl;
+        const bool isRound = s.kind == render::windRadial || s.kind == render::windSwirl;
         const ImU32 color = style_.packed(i % 2 == 0 ? palette::text : palette::warm, 0.85f);
         for (int x = 0; x < arrowsAcross; ++x)
             for (int z = 0; z < arrowsAcross; ++z) {

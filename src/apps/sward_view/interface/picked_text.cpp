@@ -1,7 +1,9 @@
 #include "apps/sward_view/interface/picked_text.h"
 
 #include "render/wind_phase.h"
+#include "shaders/shared/culling.h"
 #include "shaders/shared/physics.h"
+#include "shaders/shared/wind.h"
 
 #include <fmt/core.h>
 #include <glm/geometric.hpp>

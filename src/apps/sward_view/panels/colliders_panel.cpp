@@ -40,9 +40,9 @@ void drawCollider(Controls& controls, ViewerState& state, render::Collider& coll
 void drawCollidersPanel(Controls& controls, ViewerState& state)
 {
     std::vector<render::Collider>& colliders = state.settings.colliders;
-    controls.fact("Colliders", fmt::format("{} of {}", colliders.size(), shared::maxColliders),
+    controls.fact("Colliders", fmt::format("{} of {}", colliders.size(), render::maxColliders),
                   "Number of colliders, at most 256; they press blades down");
-    ImGui::BeginDisabled(state.field == nullptr || colliders.size() >= shared::maxColliders);
+    ImGui::BeginDisabled(state.field == nullptr || colliders.size() >= render::maxColliders);
     const bool ball = controls.button("Add ball", "A ball on the ground where the camera looks");
     ImGui::SameLine();
     const bool capsule =

@@ -11,7 +11,7 @@ namespace sward::view {
 namespace {
 
 constexpr std::array kindWords{"noise", "turning", "wave", "radial", "swirl", "gusts"};
-constexpr std::array<const char*, shared::windKinds> kindAbout{
+constexpr std::array<const char*, render::windKinds> kindAbout{
     "Noise that travels with the wind",
     "Sine wave over time whose direction may rotate",
     "The paper's directional wave",
@@ -22,7 +22,7 @@ constexpr std::array<const char*, shared::windKinds> kindAbout{
 // Only what this kind of wind uses.
 void drawSource(Controls& controls, render::WindSource& wind, float ahead)
 {
-    shared::WindSource& s = wind.source;
+    render::WindPattern& s = wind.source;
     int kind = static_cast<int>(s.kind);
     if (controls.choice("Kind", kind, kindWords, kindAbout[s.kind])) {
         const float strength = s.strength;
@@ -31,7 +31,7 @@ void drawSource(Controls& controls, render::WindSource& wind, float ahead)
     }
     controls.number("Strength", s.strength, {0.0f, 40.0f, "1/s", "%.1f"},
                     "Largest pull on a blade across it, in its heights per second");
-    const bool isRound = s.kind == shared::windRadial || s.kind == shared::windSwirl;
+    const bool isRound = s.kind == render::windRadial || s.kind == render::windSwirl;
     if (isRound) {
         controls.place("Centre", wind.centre, "Centre of the rings");
     } else {
@@ -39,7 +39,7 @@ void drawSource(Controls& controls, render::WindSource& wind, float ahead)
         controls.direction("Direction", s.direction,
                            "Direction that it blows to: 0 is +x, 90 is +z");
     }
-    if (s.kind == shared::windTurning) {
+    if (s.kind == render::windTurning) {
         controls.number("Rate", s.rate, {0.0f, 10.0f, "rad/s"},
                         "Angular frequency of the sine wave");
         controls.number("Turn", s.turn, {-5.0f, 5.0f, "rad/s"},
@@ -88,9 +88,9 @@ void drawWindPanel(Controls& controls, ViewerState& state)
         winds.erase(winds.begin() + static_cast<std::ptrdiff_t>(*removed));
 
     controls.space(4.0f);
-    ImGui::BeginDisabled(winds.size() >= shared::maxWindSources);
+    ImGui::BeginDisabled(winds.size() >= render::maxWindSources);
     if (controls.button("Add source", "Adds a wind source, at most 8", true))
-        winds.push_back(render::windSource(shared::windGusts));
+        winds.push_back(render::windSource(render::windGusts));
     ImGui::EndDisabled();
 }
 

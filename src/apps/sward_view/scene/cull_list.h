@@ -5,7 +5,7 @@
 
 namespace sward::view {
 
-/// "all", "none" or a list like "patch,frustum,occlusion" as bits of shared::cullPatch and so on.
+/// "all", "none" or a list like "patch,frustum,occlusion" as bits of render::CullingTest.
 /// Throws Error{usage} for another word.
 std::uint32_t parseCullList(std::string_view text);
 

@@ -220,9 +220,9 @@ render::FrameSettings FrameOptions::settingsFor(const field::FieldView& view) co
     if (!settingsFile.empty())
         warn(presentation::readSettings(settingsFile, settings));
     settings.colliders.insert(settings.colliders.end(), colliders.begin(), colliders.end());
-    if (settings.colliders.size() > shared::maxColliders)
+    if (settings.colliders.size() > render::maxColliders)
         fail(ErrorKind::usage, "--collider: {} colliders, more than {}", settings.colliders.size(),
-             shared::maxColliders);
+             render::maxColliders);
     settings.cullMask = cullMask.value_or(settings.cullMask);
     settings.levelOfDetail = levelOfDetail.value_or(settings.levelOfDetail);
     if (tessellationLevel) {
