@@ -45,11 +45,11 @@ void readCulling(SettingsReader reader, FrameSettings& settings)
         reader.read(key, isOn);
         settings.cullMask = isOn ? settings.cullMask | bit : settings.cullMask & ~bit;
     };
-    test("patch", cullPatch);
-    test("orientation", cullOrientation);
-    test("frustum", cullFrustum);
-    test("distance", cullDistance);
-    test("occlusion", cullOcclusion);
+    test("patch", render::cullPatch);
+    test("orientation", render::cullOrientation);
+    test("frustum", render::cullFrustum);
+    test("distance", render::cullDistance);
+    test("occlusion", render::cullOcclusion);
     readOptional(reader, "edge_on_cosine", 1.0, settings.maxEdgeOn);
     reader.read("draw_distance", settings.environment.drawDistance, 1e-6, farthest);
     if (reader.has("buckets")) {

@@ -27,8 +27,8 @@ constexpr double strongest = 1000.0;  ///< [1/s]
 constexpr double longest = 1e9;       ///< [s]
 constexpr std::size_t maxWaypoints = 1u << 16;
 
-// In the order of windNoise ….
-constexpr std::array<std::string_view, windKinds> kindNames{"noise",  "turning", "wave",
+// In the order of render::windNoise ….
+constexpr std::array<std::string_view, render::windKinds> kindNames{"noise",  "turning", "wave",
                                                                     "radial", "swirl",   "gusts"};
 
 void requireDirection(glm::vec3 v, const std::string& place)
@@ -47,14 +47,14 @@ WindSource readWind(SettingsReader& reader)
     reader.read("size", s.size, 1e-3, largestSize);
     reader.read("alignment", s.alignment, 0.0, 1.0);
     reader.read("lift", s.lift, 0.0, 1.0);
-    const bool isRound = kind == windRadial || kind == windSwirl;
+    const bool isRound = kind == render::windRadial || kind == render::windSwirl;
     if (isRound) {
         reader.read("centre", wind.centre, -farthestDraw, farthestDraw);
     } else {
         reader.read("direction", s.direction, -1e6, 1e6);
         requireDirection(s.direction, reader.placeOf("direction"));
     }
-    if (kind == windTurning) {
+    if (kind == render::windTurning) {
         reader.read("rate", s.rate, -quickest, quickest);
         reader.read("turn", s.turn, -quickest, quickest);
     } else {
@@ -101,8 +101,8 @@ std::string_view windKindName(std::uint32_t kind)
 
 void readEnvironment(SettingsReader& reader, FrameSettings& settings)
 {
-    readList(reader, "wind", maxWindSources, settings.winds, readWind);
-    readList(reader, "colliders", maxColliders, settings.colliders, readCollider);
+    readList(reader, "wind", render::maxWindSources, settings.winds, readWind);
+    readList(reader, "colliders", render::maxColliders, settings.colliders, readCollider);
     if (reader.has("gravity")) {
         SettingsReader gravity(reader.child("gravity"), reader.placeOf("gravity"));
         field::Defaults& environment = settings.environment;

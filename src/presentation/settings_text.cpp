@@ -45,8 +45,8 @@ Json vector(const glm::dvec3& v)
 
 Json windJson(const WindSource& wind)
 {
-    const WindPattern& s = wind.source;
-    const bool isRound = s.kind == windRadial || s.kind == windSwirl;
+    const render::WindPattern& s = wind.source;
+    const bool isRound = s.kind == render::windRadial || s.kind == render::windSwirl;
     Json json{{"kind", windKindName(s.kind)},
               {"strength", number(s.strength)},
               {"size", number(s.size)},
@@ -56,7 +56,7 @@ Json windJson(const WindSource& wind)
         json["centre"] = vector(wind.centre);
     else
         json["direction"] = vector(s.direction);
-    if (s.kind == windTurning) {
+    if (s.kind == render::windTurning) {
         json["rate"] = number(s.rate);
         json["turn"] = number(s.turn);
     } else {

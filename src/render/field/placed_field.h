@@ -53,7 +53,7 @@ public:
     const BakedBlades& blades() const { return Access::of(*instance_.field).blades; }
     const BladeStates& states() const { return states_; }
     const VisibleBlades& list(std::uint32_t view) const { return lists_[view]; }
-    const FieldLooks& looks() const { return instance_.field->parts().looks; }
+    const FieldLooks& looks() const { return Access::of(*instance_.field).looks; }
 
     /// Whether a view's list has room for every blade.
     bool listsHoldAll() const { return settings_.maxListed >= blades().placeCount(); }

@@ -56,8 +56,8 @@ protected:
 
     void setPasses(int count)
     {
-        settings_.cullMask = count == 2 ? settings_.cullMask | shared::cullOcclusion
-                                        : settings_.cullMask & ~shared::cullOcclusion;
+        settings_.cullMask =
+            count == 2 ? settings_.cullMask | cullOcclusion : settings_.cullMask & ~cullOcclusion;
     }
 
     struct Drawn {
