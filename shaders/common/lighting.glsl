@@ -4,7 +4,6 @@
 
 #include "shaders/common/film_curve.glsl"
 #include "shaders/shared/constants.h"
-#include "shaders/shared/debug_mode.h"
 #include "shaders/shared/distance_band.h"
 #include "shaders/shared/passes.h"
 

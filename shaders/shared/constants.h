@@ -10,7 +10,7 @@
 SHARED_BEGIN
 
 // Of views and pictures.
-SHARED_CONST uint idKnownDebugMode = 0u;  ///< a mode, or debugAsTold: see debug_mode.h
+SHARED_CONST uint idKnownDebugMode = 0u;  ///< debugNothing …
 SHARED_CONST uint idSamplesPerPixel = 1u; ///< 1 or 4
 SHARED_CONST uint idHasForwardZ = 2u;     ///< depths are 0 near and 1 far; else 1 near and 0 far
 SHARED_CONST uint idOutputMode = 3u;      ///< outputFilm …
@@ -46,6 +46,11 @@ SHARED_CONST uint idShowsSky = 26u;        ///< … and sky
 SHARED_CONST uint idHasShadingCache = 27u; ///< see shading_cache.glsl
 SHARED_CONST uint idHasHostLight = 28u;    ///< blades are in a host's light: see host_light.h
 SHARED_CONST uint idLimitsLeafArea = 29u;  ///< see leafAreaLimitOf()
+
+// Debug modes that are known at pipeline creation; see Frame::debugMode.
+SHARED_CONST uint debugNothing = 0u;         ///< the normal picture
+SHARED_CONST uint debugWind = 3u;            ///< ground and blades show the wind's speed
+SHARED_CONST uint debugAsTold = 0xffffffffu; ///< the frame's mode, which is not debugWind
 
 // Output modes.
 SHARED_CONST uint outputFilm = 0u;     ///< Sward's own film, for the viewer

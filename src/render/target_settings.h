@@ -2,7 +2,7 @@
 
 #include "render/field/field_looks.h"
 #include "render/frame_settings.h"
-#include "shaders/shared/debug_mode.h"
+#include "shaders/shared/constants.h"
 
 #include <vulkan/vulkan.h>
 

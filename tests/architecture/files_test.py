@@ -19,8 +19,6 @@ LARGEST_MEDIAN = 199
 MAX_FILES = 25
 # Folders that hold more, and how many they may. These numbers only fall.
 LARGER_FOLDERS = {
-    "shaders/raster": 29,
-    "shaders/resolve": 32,
     "shaders/shared": 34,
     "src/render": 58,
     "src/render/field": 32,

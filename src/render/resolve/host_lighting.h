@@ -9,7 +9,7 @@
 #include "render/field/field_looks.h"
 #include "render/frame_place.h"
 #include "render/host_view.h"
-#include "shaders/shared/debug_mode.h"
+#include "shaders/shared/constants.h"
 #include "shaders/shared/passes.h"
 
 #include <vulkan/vulkan.h>
