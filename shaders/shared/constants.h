@@ -40,12 +40,13 @@ SHARED_CONST uint idLargeTo = 20u;         ///< largeToGroups …
 SHARED_CONST uint idFillsAll = 21u;        ///< all levels of the pyramid; else the finest
 SHARED_CONST uint idIsOfColliders = 22u;   ///< triangles of colliders; else of the ground
 SHARED_CONST uint idDrawsSunMap = 23u;     ///< else the picture
-SHARED_CONST uint idTileList = 24u;        ///< tilesOfBlades …: see tile_classification.h
-SHARED_CONST uint idShowsBlades = 25u;     ///< the tiles may show blades
-SHARED_CONST uint idShowsSky = 26u;        ///< … and sky
-SHARED_CONST uint idHasShadingCache = 27u; ///< see shading_cache.glsl
-SHARED_CONST uint idHasHostLight = 28u;    ///< blades are in a host's light: see host_light.h
-SHARED_CONST uint idLimitsLeafArea = 29u;  ///< see leafAreaLimitOf()
+SHARED_CONST uint idWritesDraws = 24u;     ///< of the ground that is seen; else finds that
+SHARED_CONST uint idTileList = 25u;        ///< tilesOfBlades …: see tile_classification.h
+SHARED_CONST uint idShowsBlades = 26u;     ///< the tiles may show blades
+SHARED_CONST uint idShowsSky = 27u;        ///< … and sky
+SHARED_CONST uint idHasShadingCache = 28u; ///< see shading_cache.glsl
+SHARED_CONST uint idHasHostLight = 29u;    ///< blades are in a host's light: see host_light.h
+SHARED_CONST uint idLimitsLeafArea = 30u;  ///< see leafAreaLimitOf()
 
 // Debug modes that are known at pipeline creation; see Frame::debugMode.
 SHARED_CONST uint debugNothing = 0u;         ///< the normal picture

@@ -2,6 +2,7 @@
 
 #include "gpu/recording/barrier.h"
 #include "render/shader_names.h"
+#include "shaders/shared/constants.h"
 #include "shaders/shared/passes.h"
 
 #include <algorithm>
@@ -24,10 +25,13 @@ GroundCullPass::GroundCullPass(const gpu::DeviceContext& context, const gpu::Sha
                                const GroundBuffers& ground)
     : ground_(&ground)
 {
-    const auto pipeline = [&](const char* name, const char* shader) {
+    const auto pipeline = [&](const char* name, bool writesDraws) {
         return gpu::ComputePipeline(
             context, shaders,
-            {.name = name, .shader = shader, .pushConstantBytes = sizeof(shared::GroundCullPush)});
+            {.name = name,
+             .shader = shader::cullGround,
+             .pushConstantBytes = sizeof(shared::GroundCullPush),
+             .constants = {{.id = shared::idWritesDraws, .value = writesDraws}}});
     };
     const auto buffer = [&](const char* name, VkDeviceSize bytes) {
         return gpu::Buffer(context, {.name = name,
@@ -40,8 +44,8 @@ GroundCullPass::GroundCullPass(const gpu::DeviceContext& context, const gpu::Sha
         largest = std::max(largest, part.isDrawnWhole ? 0 : part.clusterCount);
     if (largest == 0)
         return;
-    find_ = pipeline("ground/seen", shader::groundSeen);
-    write_ = pipeline("ground/draws", shader::groundDraws);
+    find_ = pipeline("ground/seen", false);
+    write_ = pipeline("ground/draws", true);
     draws_ = buffer("ground/draws", ground.clusterCount() * sizeof(shared::IndexedDraw));
     seen_ = buffer("ground/seen", groupsOf(largest) * shared::groundWords * sizeof(std::uint32_t));
     counts_ = buffer("ground/draw counts", ground.parts().size() * countStride);
