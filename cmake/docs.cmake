@@ -7,8 +7,8 @@ file(GLOB pages CONFIGURE_DEPENDS RELATIVE ${CMAKE_SOURCE_DIR}
 list(PREPEND pages README.md ARCHITECTURE.md CONTRIBUTING.md CHANGELOG.md assets/LICENSES.md
   examples/blender/sward_addon/README.md examples/cluster/README.md docs/bench/README.md)
 # What a host includes: the doors, and what it fills in for them.
-set(headers ${doors} field/display_ground.h render/camera.h render/colliders.h
-  render/frame_settings.h render/wind.h)
+set(headers ${doors} field/display_ground.h render/frame/camera.h render/frame/colliders.h
+  render/frame/frame_settings.h render/frame/wind.h)
 set(SWARD_DOCS_INPUT "")
 foreach(file IN LISTS pages headers)
   set(path ${CMAKE_SOURCE_DIR}/src/${file})

@@ -1,7 +1,7 @@
 #include "c/guard.h"
 #include "c/handles.h"
 #include "field/delta.h"
-#include "render/host_checks.h"
+#include "render/host/host_checks.h"
 
 #include <glm/geometric.hpp>
 #include <glm/gtc/type_ptr.hpp>

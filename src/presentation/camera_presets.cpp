@@ -3,7 +3,7 @@
 #include "field/field.h"
 #include "field/measure/distributions.h"
 #include "presentation/viewpoint.h"
-#include "render/frame_settings.h"
+#include "render/frame/frame_settings.h"
 
 #include <glm/geometric.hpp>
 #include <glm/trigonometric.hpp>

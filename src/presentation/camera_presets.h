@@ -1,7 +1,7 @@
 #pragma once
 
 #include "presentation/ground_surface.h"
-#include "render/camera.h"
+#include "render/frame/camera.h"
 
 #include <optional>
 

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "core/json/settings_json.h"
-#include "render/frame_settings.h"
+#include "render/frame/frame_settings.h"
 
 namespace sward::presentation {
 

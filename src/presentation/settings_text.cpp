@@ -3,7 +3,7 @@
 #include "core/json/json_text.h"
 #include "presentation/environment_settings.h"
 #include "presentation/look_settings.h"
-#include "render/cull_tests.h"
+#include "render/frame/cull_tests.h"
 
 #include <nlohmann/json.hpp>
 

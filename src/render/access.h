@@ -1,6 +1,6 @@
 #pragma once
 
-#include "render/resident_field.h"
+#include "render/resident/resident_field.h"
 #include "render/tessellation/blade_target.h"
 
 namespace sward::render {

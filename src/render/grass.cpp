@@ -5,7 +5,7 @@
 #include "gpu/context/context.h"
 #include "render/access.h"
 #include "render/grass_parts.h"
-#include "render/host_checks.h"
+#include "render/host/host_checks.h"
 #include "shaders/shared/passes.h"
 
 #include <algorithm>

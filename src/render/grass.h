@@ -1,9 +1,9 @@
 #pragma once
 
-#include "render/frame_stats.h"
+#include "render/frame/frame_stats.h"
+#include "render/frame/placement.h"
 #include "render/grass_frame.h"
-#include "render/placement.h"
-#include "render/resident_field.h"
+#include "render/resident/resident_field.h"
 #include "render/tessellation/blade_target.h"
 
 #include <vulkan/vulkan.h>

@@ -1,8 +1,8 @@
 #pragma once
 
-#include "render/frame_settings.h"
-#include "render/host_light.h"
-#include "render/host_view.h"
+#include "render/frame/frame_settings.h"
+#include "render/host/host_light.h"
+#include "render/host/host_view.h"
 
 #include <glm/vec3.hpp>
 

@@ -5,12 +5,12 @@
 #include "render/cull/pyramid_pass.h"
 #include "render/cull/update_cull_pass.h"
 #include "render/cull/walk_pass.h"
-#include "render/field/placed_field.h"
-#include "render/frame_time.h"
+#include "render/frame/frame_time.h"
 #include "render/grass.h"
-#include "render/host_shadow_maps.h"
-#include "render/host_streaming.h"
+#include "render/host/host_shadow_maps.h"
 #include "render/raster/host_raster.h"
+#include "render/resident/host_streaming.h"
+#include "render/resident/placed_field.h"
 
 #include <cstdint>
 #include <map>

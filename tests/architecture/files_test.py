@@ -14,15 +14,13 @@ SHADERS = (".comp", ".vert", ".tesc", ".tese", ".frag")
 SOURCES = (".cpp", ".h", ".py", ".cmake") + SHADERS
 
 LONGEST_SOURCE = 600
-LONGEST_HEADER = 120
+LONGEST_HEADER = 150
 LARGEST_MEDIAN = 199
 MAX_FILES = 25
 # Folders that hold more, and how many they may. These numbers only fall.
 LARGER_FOLDERS = {
     "shaders/shared": 34,
-    "src/render": 58,
     "src/render/field": 32,
-    "src/render/preview": 28,
     "tests/gpu/frame": 30,
 }
 

@@ -98,7 +98,7 @@ INSIDE = {
     "field": "file measure",
     "interchange": "usda",
     "gpu": "context recording memory pipeline device presentation",
-    "render": "field streaming cull resolve raster tessellation preview",
+    "render": "frame field edits streaming host resident cull resolve raster tessellation preview viewer",
     "bake": "ground mask settings paint filter sample poisson patches blades plan tiles whole session",
     "shaders": "common blade cull raster resolve tessellation preview bench",
     "terrain": "topology image files heightmap gltf mesh_files procedural query loading",

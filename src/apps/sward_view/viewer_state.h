@@ -13,7 +13,7 @@
 #include "apps/sward_view/question.h"
 #include "apps/sward_view/requests.h"
 #include "gpu/recording/timestamps.h"
-#include "render/frame_settings.h"
+#include "render/frame/frame_settings.h"
 
 #include <cstddef>
 #include <cstdint>

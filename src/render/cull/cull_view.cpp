@@ -1,6 +1,6 @@
 #include "render/cull/cull_view.h"
 
-#include "render/frame.h"
+#include "render/frame/frame.h"
 
 namespace sward::render {
 

@@ -3,7 +3,7 @@
 #include "core/expect.h"
 #include "gpu/recording/barrier.h"
 #include "render/cull/pass_scope.h"
-#include "render/frame_time.h"
+#include "render/frame/frame_time.h"
 
 #include <utility>
 

@@ -7,9 +7,9 @@
 #include "render/cull/field_buffers.h"
 #include "render/cull/update_cull_pass.h"
 #include "render/cull/walk_pass.h"
-#include "render/field/field_edits.h"
+#include "render/edits/field_edits.h"
 #include "render/field/outgrown.h"
-#include "render/frame_place.h"
+#include "render/frame/frame_place.h"
 #include "shaders/shared/frame.h"
 
 #include <vulkan/vulkan.h>

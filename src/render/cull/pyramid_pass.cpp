@@ -2,7 +2,7 @@
 
 #include "core/expect.h"
 #include "gpu/recording/barrier.h"
-#include "render/shader_names.h"
+#include "render/frame/shader_names.h"
 #include "shaders/shared/constants.h"
 #include "shaders/shared/passes.h"
 

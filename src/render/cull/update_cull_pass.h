@@ -7,7 +7,7 @@
 #include "gpu/recording/recording.h"
 #include "render/field/baked_blades.h"
 #include "render/field/visible_blades.h"
-#include "render/frame_place.h"
+#include "render/frame/frame_place.h"
 #include "shaders/shared/passes.h"
 
 #include <vulkan/vulkan.h>

@@ -1,7 +1,7 @@
 #include "render/field/frame_tables.h"
 
 #include "core/expect.h"
-#include "render/wind_phase.h"
+#include "render/frame/wind_phase.h"
 
 #include <algorithm>
 

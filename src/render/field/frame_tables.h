@@ -2,8 +2,8 @@
 
 #include "gpu/context/context.h"
 #include "gpu/memory/buffer.h"
-#include "render/frame.h"
-#include "render/frame_settings.h"
+#include "render/frame/frame.h"
+#include "render/frame/frame_settings.h"
 #include "shaders/shared/frame.h"
 
 #include <cstddef>

@@ -4,7 +4,7 @@
 #include "gpu/pipeline/graphics_pipeline.h"
 #include "gpu/pipeline/shader_library.h"
 #include "gpu/recording/recording.h"
-#include "render/target_settings.h"
+#include "render/resolve/target_settings.h"
 
 #include <vulkan/vulkan.h>
 

@@ -2,7 +2,7 @@
 
 #include "gpu/memory/image_use.h"
 #include "gpu/recording/rendering.h"
-#include "render/shader_names.h"
+#include "render/frame/shader_names.h"
 
 #include <optional>
 #include <span>

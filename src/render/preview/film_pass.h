@@ -7,7 +7,7 @@
 #include "gpu/pipeline/sampler.h"
 #include "gpu/pipeline/shader_library.h"
 #include "gpu/recording/recording.h"
-#include "render/target_settings.h"
+#include "render/resolve/target_settings.h"
 
 #include <glm/vec2.hpp>
 #include <vulkan/vulkan.h>

@@ -1,7 +1,7 @@
 #include "render/preview/ground_cull_pass.h"
 
 #include "gpu/recording/barrier.h"
-#include "render/shader_names.h"
+#include "render/frame/shader_names.h"
 #include "shaders/shared/constants.h"
 #include "shaders/shared/passes.h"
 

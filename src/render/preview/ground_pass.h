@@ -6,7 +6,7 @@
 #include "gpu/recording/recording.h"
 #include "render/preview/ground_buffers.h"
 #include "render/preview/ground_cull_pass.h"
-#include "render/target_settings.h"
+#include "render/resolve/target_settings.h"
 
 #include <vulkan/vulkan.h>
 

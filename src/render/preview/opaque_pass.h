@@ -7,7 +7,7 @@
 #include "render/preview/ground_buffers.h"
 #include "render/preview/ground_cull_pass.h"
 #include "render/preview/ground_pass.h"
-#include "render/target_settings.h"
+#include "render/resolve/target_settings.h"
 
 #include <vulkan/vulkan.h>
 

@@ -1,6 +1,6 @@
 #include "render/preview/sky_pass.h"
 
-#include "render/shader_names.h"
+#include "render/frame/shader_names.h"
 #include "shaders/shared/passes.h"
 
 namespace sward::render {

@@ -1,10 +1,10 @@
 #include "render/raster/host_raster.h"
 
 #include "gpu/recording/barrier.h"
-#include "render/field/placed_field.h"
+#include "render/frame/shader_names.h"
 #include "render/raster/raster_rounds.h"
-#include "render/shader_names.h"
-#include "render/target_settings.h"
+#include "render/resident/placed_field.h"
+#include "render/resolve/target_settings.h"
 #include "shaders/shared/constants.h"
 
 #include <algorithm>

@@ -7,7 +7,7 @@
 #include "gpu/recording/recording.h"
 #include "render/field/field_looks.h"
 #include "render/field/visible_blades.h"
-#include "render/frame_place.h"
+#include "render/frame/frame_place.h"
 #include "render/raster/large_blade_list.h"
 #include "shaders/shared/passes.h"
 

@@ -1,7 +1,7 @@
 #include "render/resolve/host_lighting.h"
 
-#include "render/host_shadow_maps.h"
-#include "render/shader_names.h"
+#include "render/frame/shader_names.h"
+#include "render/host/host_shadow_maps.h"
 #include "shaders/shared/constants.h"
 
 #include <string>

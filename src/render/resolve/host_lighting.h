@@ -7,8 +7,8 @@
 #include "gpu/pipeline/uniform_sets.h"
 #include "gpu/recording/recording.h"
 #include "render/field/field_looks.h"
-#include "render/frame_place.h"
-#include "render/host_view.h"
+#include "render/frame/frame_place.h"
+#include "render/host/host_view.h"
 #include "shaders/shared/constants.h"
 #include "shaders/shared/passes.h"
 
@@ -30,7 +30,7 @@ public:
     /// Specialisation of a pipeline.
     struct Settings {
         std::uint32_t samples = 1, debugMode = shared::debugNothing; ///< see knownDebugMode()
-        bool isOfOne = false;       ///< of a single instance
+        bool isOfOne = false;                                        ///< of a single instance
         bool hasHostLight = false;  ///< see HostShadowMaps::isLit()
         std::uint32_t storedAs = 0; ///< flags of shared::storesPicture …; 0: in place of ids
         bool storesHalves = false;  ///< else bytes

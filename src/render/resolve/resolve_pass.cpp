@@ -3,7 +3,7 @@
 #include "core/expect.h"
 #include "gpu/memory/image_use.h"
 #include "gpu/recording/barrier.h"
-#include "render/shader_names.h"
+#include "render/frame/shader_names.h"
 #include "shaders/shared/constants.h"
 
 #include <array>

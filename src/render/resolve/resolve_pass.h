@@ -8,9 +8,9 @@
 #include "gpu/pipeline/shader_library.h"
 #include "gpu/pipeline/uniform_sets.h"
 #include "gpu/recording/recording.h"
-#include "render/frame_place.h"
+#include "render/frame/frame_place.h"
+#include "render/resolve/target_settings.h"
 #include "render/resolve/tile_classification.h"
-#include "render/target_settings.h"
 #include "shaders/shared/passes.h"
 
 #include <vulkan/vulkan.h>

@@ -1,6 +1,6 @@
 #include "render/resolve/shading_cache_pass.h"
 
-#include "render/shader_names.h"
+#include "render/frame/shader_names.h"
 #include "shaders/shared/constants.h"
 
 #include <cstdint>

@@ -6,8 +6,8 @@
 #include "gpu/pipeline/shader_library.h"
 #include "gpu/pipeline/uniform_sets.h"
 #include "gpu/recording/recording.h"
-#include "render/frame_place.h"
-#include "render/target_settings.h"
+#include "render/frame/frame_place.h"
+#include "render/resolve/target_settings.h"
 #include "shaders/shared/passes.h"
 
 #include <vulkan/vulkan.h>

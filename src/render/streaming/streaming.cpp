@@ -3,7 +3,7 @@
 #include "core/expect.h"
 #include "core/files/mapped_file.h"
 #include "gpu/recording/barrier.h"
-#include "render/shader_names.h"
+#include "render/frame/shader_names.h"
 
 #include <algorithm>
 #include <bit>

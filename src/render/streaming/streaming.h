@@ -9,7 +9,7 @@
 #include "gpu/recording/recording.h"
 #include "render/field/baked_blades.h"
 #include "render/field/blade_states.h"
-#include "render/frame_stats.h"
+#include "render/frame/frame_stats.h"
 #include "render/streaming/residency.h"
 #include "shaders/shared/eyepoint.h"
 #include "shaders/shared/pages.h"

@@ -1,6 +1,6 @@
 #include "render/tessellation/blade_pass.h"
 
-#include "render/shader_names.h"
+#include "render/frame/shader_names.h"
 #include "shaders/shared/constants.h"
 #include "shaders/shared/passes.h"
 

@@ -5,7 +5,7 @@
 #include "gpu/pipeline/shader_library.h"
 #include "gpu/recording/recording.h"
 #include "render/cull/field_buffers.h"
-#include "render/target_settings.h"
+#include "render/resolve/target_settings.h"
 
 #include <vulkan/vulkan.h>
 

@@ -1,8 +1,8 @@
 // Tests culling on the device against the predicates on the CPU, and against the visible picture.
 
 #include "core/random.h"
-#include "render/camera.h"
-#include "render/frame.h"
+#include "render/frame/camera.h"
+#include "render/frame/frame.h"
 #include "shaders/shared/passes.h"
 #include "shaders/shared/visibility.h"
 #include "support/fields/fields.h"

@@ -3,8 +3,8 @@
 
 #include "core/math/srgb.h"
 #include "picture.h"
-#include "render/exposure.h"
-#include "render/frame.h"
+#include "render/frame/frame.h"
+#include "render/viewer/exposure.h"
 #include "support/fields/display_ground.h"
 #include "support/fields/fields.h"
 #include "support/gpu/gpu_fixture.h"

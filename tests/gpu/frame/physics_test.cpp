@@ -1,9 +1,9 @@
 // The physics on the device against the same functions on the CPU.
 
 #include "core/random.h"
-#include "render/frame.h"
-#include "render/frame_time.h"
-#include "render/wind_phase.h"
+#include "render/frame/frame.h"
+#include "render/frame/frame_time.h"
+#include "render/frame/wind_phase.h"
 #include "support/fields/fields.h"
 #include "support/gpu/gpu_fixture.h"
 #include "update_bench.h"

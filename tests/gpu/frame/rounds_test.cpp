@@ -1,9 +1,9 @@
 // A frame has as many rounds as its visible patches may fill.
 
 #include "gpu/memory/upload.h"
-#include "render/camera.h"
 #include "render/cull/field_buffers.h"
-#include "render/frame.h"
+#include "render/frame/camera.h"
+#include "render/frame/frame.h"
 #include "support/fields/fields.h"
 #include "support/gpu/gpu_fixture.h"
 

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "field/field.h"
-#include "render/camera.h"
+#include "render/frame/camera.h"
 
 namespace sward::test {
 

@@ -4,8 +4,8 @@
 #include "gpu/memory/upload.h"
 #include "gpu/recording/barrier.h"
 #include "gpu/recording/commands.h"
-#include "render/frame_slot.h"
-#include "render/frame_time.h"
+#include "render/frame/frame_time.h"
+#include "render/viewer/frame_slot.h"
 
 namespace sward::embedded {
 std::span<const EmbeddedFile> shaders();

@@ -2,9 +2,9 @@
 // rest.
 
 #include "core/random.h"
-#include "render/camera.h"
 #include "render/field/patch_tree.h"
-#include "render/frame.h"
+#include "render/frame/camera.h"
+#include "render/frame/frame.h"
 #include "shaders/shared/visibility.h"
 #include "support/fields/fields.h"
 #include "support/gpu/gpu_fixture.h"

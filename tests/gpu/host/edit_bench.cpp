@@ -11,8 +11,8 @@
 #include "gpu/memory/image_use.h"
 #include "gpu/recording/commands.h"
 #include "gpu/recording/rendering.h"
-#include "render/field_renderer.h"
 #include "render/grass.h"
+#include "render/viewer/field_renderer.h"
 #include "support/fields/edited_meadow.h"
 
 #include <glm/ext/matrix_clip_space.hpp>

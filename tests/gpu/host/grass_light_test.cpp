@@ -2,7 +2,7 @@
 
 #include "core/error.h"
 #include "host_picture.h"
-#include "render/lit_field.h"
+#include "render/host/lit_field.h"
 #include "shadow_map.h"
 
 #include <glm/geometric.hpp>

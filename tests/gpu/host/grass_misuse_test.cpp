@@ -6,7 +6,7 @@
 #include "gpu/device/features.h"
 #include "gpu/recording/commands.h"
 #include "host_picture.h"
-#include "render/field_renderer.h"
+#include "render/viewer/field_renderer.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

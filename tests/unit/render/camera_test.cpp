@@ -1,7 +1,7 @@
 #include "core/random.h"
 #include "presentation/camera_presets.h"
-#include "render/camera.h"
-#include "render/frame.h"
+#include "render/frame/camera.h"
+#include "render/frame/frame.h"
 #include "shaders/shared/culling.h"
 #include "support/fields/fields.h"
 

@@ -1,6 +1,6 @@
 // A host's matrix tells the convention of its depth.
 
-#include "render/host_view.h"
+#include "render/host/host_view.h"
 
 #include <glm/ext/matrix_clip_space.hpp>
 #include <glm/ext/matrix_transform.hpp>

@@ -4,7 +4,7 @@
 #include "field/field.h"
 #include "field/owned_field.h"
 #include "field/read.h"
-#include "render/resident_field.h"
+#include "render/resident/resident_field.h"
 #include "support/fields/fields.h"
 
 #include <gtest/gtest.h>
@@ -17,7 +17,10 @@ namespace sward::render {
 namespace {
 
 template <typename Owner>
-concept HasView = requires(Owner&& owner) { std::forward<Owner>(owner).view(); };
+concept HasView = requires(Owner&& owner)
+{
+    std::forward<Owner>(owner).view();
+};
 
 static_assert(HasView<field::MappedField&> && HasView<const field::MappedField&>);
 static_assert(!HasView<field::MappedField> && !HasView<const field::MappedField>);

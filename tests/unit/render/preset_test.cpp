@@ -3,7 +3,7 @@
 
 #include "core/random.h"
 #include "presentation/camera_presets.h"
-#include "render/frame_settings.h"
+#include "render/frame/frame_settings.h"
 #include "support/fields/fields.h"
 
 #include <glm/geometric.hpp>

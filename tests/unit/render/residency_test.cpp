@@ -1,9 +1,9 @@
 // Tests which blades become resident if memory is limited.
 
 #include "core/random.h"
-#include "render/camera.h"
 #include "render/field/patch_tree.h"
-#include "render/frame.h"
+#include "render/frame/camera.h"
+#include "render/frame/frame.h"
 #include "render/streaming/residency.h"
 #include "shaders/shared/visibility.h"
 #include "support/fields/fields.h"

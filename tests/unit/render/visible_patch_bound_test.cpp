@@ -2,10 +2,10 @@
 // not much larger than the actual number.
 
 #include "core/random.h"
-#include "render/camera.h"
 #include "render/cull/visible_patch_bound.h"
 #include "render/field/patch_tree.h"
-#include "render/frame.h"
+#include "render/frame/camera.h"
+#include "render/frame/frame.h"
 #include "shaders/shared/visibility.h"
 #include "support/fields/fields.h"
 

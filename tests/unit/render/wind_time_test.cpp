@@ -1,8 +1,8 @@
 // The wind at any time against formulas in double precision, whose cells are numbered by 64 bits.
 
 #include "core/error.h"
-#include "render/frame_time.h"
-#include "render/wind_phase.h"
+#include "render/frame/frame_time.h"
+#include "render/frame/wind_phase.h"
 #include "shaders/shared/update_rate.h"
 
 #include <glm/common.hpp>

@@ -1,5 +1,5 @@
 #include "apps/sward_view/scene/time_of_day.h"
-#include "render/frame_settings.h"
+#include "render/frame/frame_settings.h"
 
 #include <gtest/gtest.h>
 

@@ -1,8 +1,8 @@
 // The wind of the world is one for all fields, wherever a host places them.
 
-#include "render/frame_settings.h"
-#include "render/placement.h"
-#include "render/wind_phase.h"
+#include "render/frame/frame_settings.h"
+#include "render/frame/placement.h"
+#include "render/frame/wind_phase.h"
 
 #include <glm/geometric.hpp>
 #include <gtest/gtest.h>

@@ -2,7 +2,7 @@
 
 #include "apps/sward_view/fields/shown_field.h"
 #include "field/field.h"
-#include "render/field_renderer.h"
+#include "render/viewer/field_renderer.h"
 
 #include <glm/vec2.hpp>
 #include <glm/vec3.hpp>

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "render/field_renderer.h"
+#include "render/viewer/field_renderer.h"
 
 #include <filesystem>
 #include <span>

@@ -11,7 +11,7 @@
 #include "gpu/recording/barrier.h"
 #include "gpu/recording/frame_ring.h"
 #include "gpu/recording/timestamps.h"
-#include "render/shader_names.h"
+#include "render/frame/shader_names.h"
 #include "shaders/shared/passes.h"
 
 #include <nlohmann/json.hpp>

@@ -7,7 +7,7 @@
 #include "apps/sward_view/scene/camera_file.h"
 #include "gpu/memory/image_use.h"
 #include "gpu/memory/readback.h"
-#include "render/frame_time.h"
+#include "render/frame/frame_time.h"
 
 #include <algorithm>
 #include <chrono>

@@ -11,7 +11,7 @@
 #include "gpu/memory/image.h"
 #include "gpu/recording/frame_ring.h"
 #include "gpu/recording/timestamps.h"
-#include "render/field_renderer.h"
+#include "render/viewer/field_renderer.h"
 
 #include <glm/vec2.hpp>
 

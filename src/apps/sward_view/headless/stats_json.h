@@ -1,8 +1,8 @@
 #pragma once
 
 #include "gpu/recording/statistics.h"
-#include "render/frame_settings.h"
-#include "render/frame_stats.h"
+#include "render/frame/frame_settings.h"
+#include "render/frame/frame_stats.h"
 
 #include <glm/vec2.hpp>
 

@@ -3,7 +3,7 @@
 #include "apps/sward_view/interface/control_map.h"
 #include "apps/sward_view/interface/style.h"
 #include "apps/sward_view/viewer_state.h"
-#include "render/camera.h"
+#include "render/frame/camera.h"
 
 #include <glm/mat4x4.hpp>
 #include <glm/vec2.hpp>

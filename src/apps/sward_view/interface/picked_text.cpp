@@ -1,6 +1,6 @@
 #include "apps/sward_view/interface/picked_text.h"
 
-#include "render/wind_phase.h"
+#include "render/frame/wind_phase.h"
 #include "shaders/shared/culling.h"
 #include "shaders/shared/physics.h"
 #include "shaders/shared/wind.h"

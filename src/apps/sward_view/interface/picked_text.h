@@ -1,7 +1,7 @@
 #pragma once
 
 #include "apps/sward_view/fields/picking.h"
-#include "render/frame_settings.h"
+#include "render/frame/frame_settings.h"
 
 #include <string>
 #include <vector>

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "render/camera.h"
+#include "render/frame/camera.h"
 
 #include <filesystem>
 #include <map>

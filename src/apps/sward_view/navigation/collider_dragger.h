@@ -2,7 +2,7 @@
 
 #include "apps/sward_view/fields/picking.h"
 #include "presentation/ground_surface.h"
-#include "render/colliders.h"
+#include "render/frame/colliders.h"
 
 #include <glm/vec3.hpp>
 

@@ -3,7 +3,7 @@
 #include "apps/sward_view/navigation/input.h"
 #include "apps/sward_view/navigation/orbit.h"
 #include "presentation/ground_surface.h"
-#include "render/camera.h"
+#include "render/frame/camera.h"
 
 #include <array>
 #include <functional>

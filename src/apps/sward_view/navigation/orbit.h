@@ -1,7 +1,7 @@
 #pragma once
 
 #include "apps/sward_view/navigation/framing.h"
-#include "render/camera.h"
+#include "render/frame/camera.h"
 
 #include <glm/vec2.hpp>
 #include <glm/vec3.hpp>

@@ -1,6 +1,6 @@
 #include "apps/sward_view/interface/units.h"
 #include "apps/sward_view/panels/panels.h"
-#include "render/cull_tests.h"
+#include "render/frame/cull_tests.h"
 #include "shaders/shared/cull_result_color.h"
 
 #include <fmt/core.h>
@@ -19,7 +19,7 @@ struct Row {
     const char* name;
     const char* about;
     std::uint32_t cullResult;
-    std::uint64_t render::FrameStats::* count;
+    std::uint64_t render::FrameStats::*count;
 };
 constexpr std::array<Row, 5> rows{
     {{"Patch", "Culls whole patches outside of the view or beyond the draw distance",

@@ -6,7 +6,7 @@
 #include "gpu/memory/buffer.h"
 #include "gpu/memory/image.h"
 #include "gpu/recording/frame_ring.h"
-#include "render/field_renderer.h"
+#include "render/viewer/field_renderer.h"
 
 #include <glm/vec2.hpp>
 

@@ -2,7 +2,7 @@
 
 #include "apps/sward_view/scene/camera_path.h"
 #include "field/field.h"
-#include "render/camera.h"
+#include "render/frame/camera.h"
 
 #include <glm/vec3.hpp>
 

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "render/colliders.h"
+#include "render/frame/colliders.h"
 
 #include <string_view>
 

@@ -3,7 +3,7 @@
 #include "apps/common/parse_text.h"
 #include "core/error.h"
 #include "core/json/settings_json.h"
-#include "render/cull_tests.h"
+#include "render/frame/cull_tests.h"
 
 #include <algorithm>
 #include <string>

@@ -2,8 +2,8 @@
 
 #include "apps/common/terminal/log_switches.h"
 #include "apps/sward_view/scene/scene.h"
-#include "render/field_renderer.h"
-#include "render/frame_settings.h"
+#include "render/frame/frame_settings.h"
+#include "render/viewer/field_renderer.h"
 
 #include <glm/vec2.hpp>
 

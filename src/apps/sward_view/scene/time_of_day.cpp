@@ -1,6 +1,6 @@
 #include "apps/sward_view/scene/time_of_day.h"
 
-#include "render/frame_settings.h"
+#include "render/frame/frame_settings.h"
 
 #include <glm/common.hpp>
 #include <glm/trigonometric.hpp>

@@ -4,8 +4,8 @@
 #include "apps/sward_view/files/shader_sources.h"
 #include "apps/sward_view/navigation/navigation.h"
 #include "gpu/device/device.h"
-#include "render/field_renderer.h"
-#include "render/frame_settings.h"
+#include "render/frame/frame_settings.h"
+#include "render/viewer/field_renderer.h"
 
 #include <cstdint>
 #include <memory>

@@ -2,7 +2,7 @@
 
 #include "apps/sward_view/picture/at_rest.h"
 #include "apps/sward_view/picture/refined_picture.h"
-#include "render/camera.h"
+#include "render/frame/camera.h"
 
 #include <glm/vec2.hpp>
 

@@ -1,0 +1,33 @@
+#pragma once
+
+#include "core/bounds.h"
+#include "field/measure/distributions.h"
+#include "render/frame/camera.h"
+#include "render/frame/frame_settings.h"
+#include "shaders/shared/frame.h"
+
+#include <glm/vec2.hpp>
+#include <glm/vec3.hpp>
+
+namespace sward::render {
+
+/// Properties of a field, besides its buffers, that a frame depends on.
+struct FieldShape {
+    glm::dvec3 origin{0.0};
+    Aabb content;           ///< relative to the origin
+    field::BladeSize blade; ///< typical size
+    float exposure = 1.0f;  ///< where the settings leave it open
+};
+
+/// Writes the projection of a frame's picture, for an eye at `eye`.
+void project(shared::Frame& frame, const glm::mat4& viewProjection, glm::vec3 eye);
+
+/// Writes a camera into a frame.
+void look(shared::Frame& frame, const ViewMatrices& view);
+
+/// Camera, settings and time in shader form. FieldBuffers::describe() and FrameTables::write() add
+/// the addresses and counts of buffers.
+shared::Frame frameOf(const FieldShape& field, const ViewMatrices& view,
+                      const FrameSettings& settings, double time, std::uint32_t samples);
+
+} // namespace sward::render

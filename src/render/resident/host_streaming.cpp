@@ -1,0 +1,70 @@
+#include "render/resident/host_streaming.h"
+
+#include "gpu/recording/barrier.h"
+
+#include <algorithm>
+
+namespace sward::render {
+
+void HostStreaming::findFields(std::span<const PlacedField* const> instances)
+{
+    fields_.clear();
+    for (const PlacedField* instance : instances)
+        if (instance != nullptr && instance->streaming() != nullptr &&
+            std::ranges::find(fields_, instance->streaming()) == fields_.end())
+            fields_.push_back(instance->streaming());
+}
+
+void HostStreaming::record(const gpu::Recording& commands, std::uint32_t slot,
+                           std::uint32_t settledAt, std::span<const PlacedField* const> instances)
+{
+    findFields(instances);
+    bool hasRecorded = false;
+    for (Streaming* field : fields_) {
+        seen_.clear();
+        states_.clear();
+        for (const PlacedField* instance : instances) {
+            if (instance == nullptr || instance->streaming() != field)
+                continue;
+            seen_.insert(seen_.end(), instance->seen().begin(), instance->seen().end());
+            states_.push_back(&instance->states());
+        }
+        if (seen_.empty())
+            continue;
+        field->choose(seen_, slot);
+
+        std::size_t first = 0;
+        for (const PlacedField* instance : instances) {
+            if (instance == nullptr || instance->streaming() != field)
+                continue;
+            const std::size_t views = instance->seen().size();
+            instance->thin(slot, std::span(seen_).subspan(first, views));
+            first += views;
+        }
+        field->record(commands, slot, settledAt, states_);
+        hasRecorded = true;
+    }
+    if (hasRecorded)
+        gpu::memoryBarrier(commands, gpu::fillAccess, gpu::dispatchAccess);
+}
+
+StreamingStats HostStreaming::stats(std::span<const PlacedField* const> instances)
+{
+    findFields(instances);
+    StreamingStats sum;
+    for (const Streaming* field : fields_) {
+        const StreamingStats own = field->stats();
+        sum.pages += own.pages;
+        sum.places += own.places;
+        sum.residentPages += own.residentPages;
+        sum.residentBlades += own.residentBlades;
+        sum.wantedPages += own.wantedPages;
+        sum.missingPages += own.missingPages;
+        sum.copiedBytes += own.copiedBytes;
+        sum.thinning = std::max(sum.thinning, own.thinning);
+        sum.isSettled = sum.isSettled && own.isSettled;
+    }
+    return sum;
+}
+
+} // namespace sward::render
