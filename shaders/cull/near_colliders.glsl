@@ -1,5 +1,5 @@
 // Colliders near the patches that a work-group of the update takes, and the patches that are left to a dispatch with
-// code for colliders. The including stage has `push`, CULL_VIEW, `taken` and `colliderBits`.
+// code for colliders. The including stage has `push`, CULL_VIEW, `ownPatches` and `colliderBits`.
 #ifndef SWARD_CULL_NEAR_COLLIDERS_GLSL
 #define SWARD_CULL_NEAR_COLLIDERS_GLSL
 
@@ -11,10 +11,10 @@ void findColliders(uint patches, uint thread)
     for (uint i = thread; i < patches * CULL_VIEW.environment.colliderCount; i += gl_WorkGroupSize.x) {
         const uint slot = i / CULL_VIEW.environment.colliderCount;
         const uint number = i % CULL_VIEW.environment.colliderCount;
-        const Patch cell = CULL_VIEW.patches.at[taken[slot].patchIndex];
-        if (taken[slot].elapsed > 0.0f &&
+        const Patch cell = CULL_VIEW.patches.at[ownPatches[slot].patchIndex];
+        if (ownPatches[slot].elapsed > 0.0f &&
             colliderNear(CULL_VIEW.environment.colliders.at[number], cell.boundsLow, cell.boundsHigh,
-                         taken[slot].elapsed))
+                         ownPatches[slot].elapsed))
             atomicOr(colliderBits[slot * colliderWords + number / 32u], 1u << (number % 32u));
     }
 }

@@ -19,18 +19,18 @@ uint firstOfIteration(uint turn)
     return before + (areMany() ? patchesTogether : 1u) * gl_WorkGroupID.x;
 }
 
-/// The place in the list of the patch that is taken as number `i`.
+/// The place in the list of the patch that a group takes as number `i`.
 uint placeOfPatch(uint i)
 {
     return takes == takesNear ? push.near.at[i] : i;
 }
 
 /// The visible patch at a place of the list; if all patches are moved, the non-empty patch.
-VisiblePatch liveAt(uint place)
+VisiblePatch visiblePatchAt(uint place)
 {
     if (push.onlyUpdate != 0u)
         return VisiblePatch(push.nonEmptyPatches.at[place], 0u);
-    return push.live.at[place];
+    return push.visiblePatches.at[place];
 }
 
 #endif

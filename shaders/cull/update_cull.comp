@@ -57,7 +57,7 @@ shared uint kept[2];
 shared uvec2 survivors[survivorRoom];
 
 /// One of the patches that a work-group takes together, in shared memory.
-struct Taken {
+struct OwnPatch {
     uint patchIndex;
     uint firstBlade;
     uint begin; ///< index of its first blade among the blades of all slots
@@ -75,23 +75,23 @@ struct Taken {
     float rankHigh;
     uint bladeCount;
 };
-shared Taken taken[patchesTogether];
+shared OwnPatch ownPatches[patchesTogether];
 shared uint colliderBits[patchesTogether * colliderWords];
 
 /// The part of a patch that its blades need.
 Patch cellOf(uint slot)
 {
     Patch cell;
-    cell.firstBlade = taken[slot].firstBlade;
-    cell.bladeCount = taken[slot].bladeCount;
-    cell.rootLow = taken[slot].rootLow;
-    cell.rootStep = taken[slot].rootStep;
-    cell.heightLow = taken[slot].heightLow;
-    cell.heightStep = taken[slot].heightStep;
-    cell.widthLow = taken[slot].widthLow;
-    cell.widthStep = taken[slot].widthStep;
-    cell.rankLow = taken[slot].rankLow;
-    cell.rankHigh = taken[slot].rankHigh;
+    cell.firstBlade = ownPatches[slot].firstBlade;
+    cell.bladeCount = ownPatches[slot].bladeCount;
+    cell.rootLow = ownPatches[slot].rootLow;
+    cell.rootStep = ownPatches[slot].rootStep;
+    cell.heightLow = ownPatches[slot].heightLow;
+    cell.heightStep = ownPatches[slot].heightStep;
+    cell.widthLow = ownPatches[slot].widthLow;
+    cell.widthStep = ownPatches[slot].widthStep;
+    cell.rankLow = ownPatches[slot].rankLow;
+    cell.rankHigh = ownPatches[slot].rankHigh;
     return cell;
 }
 
@@ -100,7 +100,7 @@ LeafAreaLimit limitOfSlot(uint slot)
 {
     if ((features & featureLeafAreaLimit) == 0u)
         return noLeafAreaLimit();
-    return taken[slot].limit;
+    return ownPatches[slot].limit;
 }
 
 #include "shaders/cull/near_colliders.glsl"
@@ -163,11 +163,11 @@ uint wantedByAll(Patch cell, uint patchIndex, float elapsed, uint own, inout boo
     return wanted;
 }
 
-/// A survivor as it is listed; valid while its patch is taken.
+/// A survivor as it is listed; valid while its slot holds that patch.
 VisibleBlade listed(uvec2 survivor)
 {
     const uint slot = slotOfSurvivor(survivor);
-    return listedOf(survivor, taken[slot].firstBlade, taken[slot].patchIndex, limitOfSlot(slot).height);
+    return listedOf(survivor, ownPatches[slot].firstBlade, ownPatches[slot].patchIndex, limitOfSlot(slot).height);
 }
 
 /// Lists and counts the gathered survivors. All threads call this together.
@@ -210,38 +210,38 @@ StoredBlade storedBlade(uint index)
                        BladeState(CULL_VIEW.states.at[place], keepsEtas ? CULL_VIEW.etas.at[place] : 0.0));
 }
 
-/// Takes the patch at a place of the list; `live` holds the number of blades that the view wants. Only one thread calls
+/// Loads the patch at a place of the list into a slot; the list has the number of blades that the view wants. Only one thread calls
 /// this and reads the time of the patch's last update.
-void takePatch(Eyepoint view, uint place, uint slot)
+void loadPatch(Eyepoint view, uint place, uint slot)
 {
-    const VisiblePatch live = liveAt(place);
-    const Patch cell = CULL_VIEW.patches.at[live.patchIndex];
+    const VisiblePatch visible = visiblePatchAt(place);
+    const Patch cell = CULL_VIEW.patches.at[visible.patchIndex];
     const bool isAll = push.onlyUpdate != 0u;
-    const uint count = !isAll ? live.count : isPresent(uvec2(CULL_VIEW.pages), cell) ? cell.bladeCount : 0u;
-    float elapsed = secondsBetween(CULL_VIEW.patchTimes.at[live.patchIndex], CULL_VIEW.tick);
+    const uint count = !isAll ? visible.count : isPresent(uvec2(CULL_VIEW.pages), cell) ? cell.bladeCount : 0u;
+    float elapsed = secondsBetween(CULL_VIEW.patchTimes.at[visible.patchIndex], CULL_VIEW.tick);
     bool moves = role != onlyCull &&
                  (isAll ? count > 0u
-                        : movesNow(CULL_VIEW.updateRate, live.patchIndex,
+                        : movesNow(CULL_VIEW.updateRate, visible.patchIndex,
                                    boxDistance(view.eye, cell.boundsLow, cell.boundsHigh), elapsed));
     const uint moved =
-        role == onlyMove && !isAll ? wantedByAll(cell, live.patchIndex, elapsed, count, moves) : count;
+        role == onlyMove && !isAll ? wantedByAll(cell, visible.patchIndex, elapsed, count, moves) : count;
     elapsed = moves ? elapsed : 0.0f;
     if (takes == takesFar && isNearCollider(cell, elapsed)) {
         leaveToNear(place);
-        taken[slot].moved = 0u;
-        taken[slot].bladeCount = 0u;
+        ownPatches[slot].moved = 0u;
+        ownPatches[slot].bladeCount = 0u;
         return;
     }
-    const uint movedBefore = CULL_VIEW.patchCounts.at[live.patchIndex];
+    const uint movedBefore = CULL_VIEW.patchCounts.at[visible.patchIndex];
     if (moves) {
-        CULL_VIEW.patchTimes.at[live.patchIndex] = CULL_VIEW.tick;
+        CULL_VIEW.patchTimes.at[visible.patchIndex] = CULL_VIEW.tick;
         atomicAdd(simulatedSum, moved);
     }
     if (role != onlyCull && (moves || moved > movedBefore))
-        CULL_VIEW.patchCounts.at[live.patchIndex] = moved;
+        CULL_VIEW.patchCounts.at[visible.patchIndex] = moved;
     if (!isAll)
         atomicAdd(cullResultSums[cullResultLod], cell.bladeCount - count);
-    taken[slot] = Taken(live.patchIndex, cell.firstBlade, 0u, moved, movedBefore, elapsed,
+    ownPatches[slot] = OwnPatch(visible.patchIndex, cell.firstBlade, 0u, moved, movedBefore, elapsed,
                         leafAreaLimitOf(view, cell), cell.rootLow, cell.rootStep, cell.heightLow, cell.heightStep,
                         cell.widthLow, cell.widthStep, cell.rankLow, cell.rankHigh, cell.bladeCount);
 }
@@ -251,16 +251,16 @@ void noteThinned(uint slot, uint thread)
 {
     if (!hasCullResults() || role == onlyMove)
         return;
-    for (uint i = taken[slot].moved + thread; i < taken[slot].bladeCount; i += gl_WorkGroupSize.x)
-        noteCullResult(placeOf(uvec2(CULL_VIEW.pages), taken[slot].firstBlade + i), cullResultLod);
+    for (uint i = ownPatches[slot].moved + thread; i < ownPatches[slot].bladeCount; i += gl_WorkGroupSize.x)
+        noteCullResult(placeOf(uvec2(CULL_VIEW.pages), ownPatches[slot].firstBlade + i), cullResultLod);
 }
 
 /// Moves and culls blade `i` of a patch.
 void updateBlade(Eyepoint view, Environment environment, uint slot, uint i, StoredBlade stored)
 {
-    const uint movedBefore = taken[slot].movedBefore;
+    const uint movedBefore = ownPatches[slot].movedBefore;
     const bool hasState = i < movedBefore && stored.state.turn != unsettledTurn;
-    const float since = role == onlyCull ? 0.0f : hasState ? taken[slot].elapsed : settlingTime;
+    const float since = role == onlyCull ? 0.0f : hasState ? ownPatches[slot].elapsed : settlingTime;
     if (role == onlyMove && since <= 0.0f)
         return;
     const Patch cell = cellOf(slot);
@@ -306,7 +306,7 @@ void updateBlade(Eyepoint view, Environment environment, uint slot, uint i, Stor
     if (verdict.cullResult != cullResultDrawn) {
         atomicAdd(cullResultSums[verdict.cullResult], 1u);
     } else {
-        const uint seen = takeSeen(index, isTestedLater);
+        const uint seen = takeHistory(index, isTestedLater);
         const uint list = seen != 0u ? 0u : 1u;
         const uint place = atomicAdd(kept[list], 1u);
         survivors[list == 0u ? place : survivorRoom - 1u - place] =
@@ -318,7 +318,7 @@ void updateBlade(Eyepoint view, Environment environment, uint slot, uint i, Stor
 /// The slot of the patch that contains blade `i` of all slots, searched from `slot` on.
 uint slotOf(uint i, uint slot, uint patches)
 {
-    while (slot + 1u < patches && i >= taken[slot + 1u].begin)
+    while (slot + 1u < patches && i >= ownPatches[slot + 1u].begin)
         ++slot;
     return slot;
 }
@@ -329,12 +329,12 @@ void updatePatches(Eyepoint view, Environment environment, uint patches)
     // Upper bound of the survivors that are not listed yet.
     uint gathered = 0u;
     const uint thread = gl_LocalInvocationIndex;
-    const uint end = taken[patches - 1u].begin + taken[patches - 1u].moved;
+    const uint end = ownPatches[patches - 1u].begin + ownPatches[patches - 1u].moved;
     uint slot = slotOf(thread, 0u, patches);
     // Read the next blade while the current one is moved.
     StoredBlade next;
     if (thread < end)
-        next = storedBlade(taken[slot].firstBlade + (thread - taken[slot].begin));
+        next = storedBlade(ownPatches[slot].firstBlade + (thread - ownPatches[slot].begin));
     for (uint first = 0u; first < end; first += gl_WorkGroupSize.x) {
         if (role != onlyMove && push.onlyUpdate == 0u) {
             if (gathered + gl_WorkGroupSize.x > survivorRoom) {
@@ -354,12 +354,12 @@ void updatePatches(Eyepoint view, Environment environment, uint patches)
         if (i + gl_WorkGroupSize.x < end) {
             const uint after = i + gl_WorkGroupSize.x;
             slot = slotOf(after, slot, patches);
-            next = storedBlade(taken[slot].firstBlade + (after - taken[slot].begin));
+            next = storedBlade(ownPatches[slot].firstBlade + (after - ownPatches[slot].begin));
         }
         if (i < end)
-            updateBlade(view, environment, own, i - taken[own].begin, stored);
+            updateBlade(view, environment, own, i - ownPatches[own].begin, stored);
     }
-    // Survivors refer to slots, so they are listed before the next patches are taken.
+    // Survivors refer to slots, so they are listed before the slots get the next patches.
     if (role != onlyMove && push.onlyUpdate == 0u) {
         barrier();
         listSurvivors(thread);
@@ -383,12 +383,12 @@ void main()
         kept[1] = 0u;
     }
     const bool isAll = push.onlyUpdate != 0u;
-    const uint begin = isAll || takes == takesNear ? 0u : push.firstLive;
+    const uint begin = isAll || takes == takesNear ? 0u : push.firstPatch;
     // Step between the patches of a work-group.
     const uint step_ = areMany() ? 1u : gl_NumWorkGroups.x;
     const uint end = takes == takesNear ? push.nearCount.at[0].count
                      : isAll            ? push.nonEmptyPatchCount
-                                        : min(push.levels.at[liveLevel].count, push.firstLive + push.maxLive);
+                                        : min(push.levels.at[visibleLevel].count, push.firstPatch + push.maxPatches);
     for (uint turn = 0u; begin + firstOfIteration(turn) < end; ++turn) {
         const uint first = begin + firstOfIteration(turn);
         uint patches = 1u;
@@ -397,15 +397,15 @@ void main()
         // All threads have finished with the previous patches.
         barrier();
         if (thread < patches)
-            takePatch(view, placeOfPatch(first + step_ * thread), thread);
+            loadPatch(view, placeOfPatch(first + step_ * thread), thread);
         for (uint i = thread; hasColliders && i < patches * colliderWords; i += gl_WorkGroupSize.x)
             colliderBits[i] = 0u;
         barrier();
         for (uint slot = thread; slot < patches; slot += gl_WorkGroupSize.x) {
             uint before = 0u;
             for (uint other = 0u; other < slot; ++other)
-                before += taken[other].moved;
-            taken[slot].begin = before;
+                before += ownPatches[other].moved;
+            ownPatches[slot].begin = before;
         }
         if (hasColliders)
             findColliders(patches, thread);

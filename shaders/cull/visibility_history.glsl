@@ -14,20 +14,20 @@ bool isTested(float pixels)
 /// Whether blades are drawn in an early and a late pass, by the visibility history.
 bool hasTwoPasses()
 {
-    return uvec2(push.seenBefore) != uvec2(0u);
+    return uvec2(push.history) != uvec2(0u);
 }
 
 /// Quarters of a blade in the visibility history: the early pass draws them. Returns all quarters of a blade that the
 /// late pass does not test.
-uint takeSeen(uint index, bool isTestedLater)
+uint takeHistory(uint index, bool isTestedLater)
 {
     if (!isTestedLater)
         return allQuarters;
-    UintArray words = push.seenBefore;
-    const uint shift = quarters * (index % seenOfWord);
-    const uint seen = (words.at[index / seenOfWord] >> shift) & allQuarters;
-    if (seen != 0u && forgetsSeen(index, push.frame))
-        atomicAnd(words.at[index / seenOfWord], ~(allQuarters << shift));
+    UintArray words = push.history;
+    const uint shift = quarters * (index % bladesOfHistoryWord);
+    const uint seen = (words.at[index / bladesOfHistoryWord] >> shift) & allQuarters;
+    if (seen != 0u && forgetsHistory(index, push.frame))
+        atomicAnd(words.at[index / bladesOfHistoryWord], ~(allQuarters << shift));
     return seen;
 }
 

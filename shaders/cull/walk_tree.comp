@@ -18,17 +18,17 @@ layout(constant_id = idPatchesOfGroup) const uint patchesOfGroup = patchesTogeth
 #include "shaders/blade/pages.glsl"
 
 shared uint childTotal;
-shared uint liveTotal;
+shared uint visibleTotal;
 shared uint childBase;
-shared uint liveBase;
+shared uint visibleBase;
 shared uint unseenTotal;
 shared uint thinnedTotal;
 
 /// The decision for a node.
 struct Step {
     uint children; ///< number of children to test next
-    uint live;     ///< number of its first blades to move and cull …
-    bool isLive;   ///< … if any
+    uint wanted;     ///< number of its first blades to move and cull …
+    bool isVisible;   ///< … if any
     uint unseen;   ///< blades skipped here because their patch is culled …
     uint thinned;  ///< … or because they have no width
 };
@@ -59,9 +59,9 @@ Step stepOf(Eyepoint view, Patch cell, Subtree below, bool isLeaf)
         next.children = 0u;
         next.thinned = blades - cell.bladeCount;
     }
-    next.live = thickEnough(view, cell);
-    next.isLive = cell.bladeCount > 0u && (next.live > 0u || toldOfEach);
-    if (!next.isLive)
+    next.wanted = thickEnough(view, cell);
+    next.isVisible = cell.bladeCount > 0u && (next.wanted > 0u || toldOfEach);
+    if (!next.isVisible)
         next.thinned += cell.bladeCount;
     return next;
 }
@@ -91,7 +91,7 @@ void main()
          base += gl_NumWorkGroups.x * walkThreads) {
         if (thread == 0u) {
             childTotal = 0u;
-            liveTotal = 0u;
+            visibleTotal = 0u;
             unseenTotal = 0u;
             thinnedTotal = 0u;
         }
@@ -110,7 +110,7 @@ void main()
                           push.level == 0u && firstChild < push.startCount);
         }
         const uint childPlace = next.children > 0u ? atomicAdd(childTotal, next.children) : 0u;
-        const uint livePlace = next.isLive ? atomicAdd(liveTotal, 1u) : 0u;
+        const uint visiblePlace = next.isVisible ? atomicAdd(visibleTotal, 1u) : 0u;
         if (next.unseen > 0u)
             atomicAdd(unseenTotal, next.unseen);
         if (next.thinned > 0u)
@@ -124,9 +124,9 @@ void main()
                 childBase = atomicAdd(levels.at[level].count, childTotal);
                 startGroups(level, (childBase + childTotal + walkThreads - 1u) / walkThreads);
             }
-            if (liveTotal > 0u) {
-                liveBase = atomicAdd(levels.at[liveLevel].count, liveTotal);
-                startGroups(liveLevel, updateGroups(liveBase + liveTotal, patchesOfGroup));
+            if (visibleTotal > 0u) {
+                visibleBase = atomicAdd(levels.at[visibleLevel].count, visibleTotal);
+                startGroups(visibleLevel, updateGroups(visibleBase + visibleTotal, patchesOfGroup));
             }
             if (unseenTotal > 0u)
                 atomicAdd(CULL_VIEW.draw.at[0].cullResults[cullResultPatch], unseenTotal);
@@ -136,8 +136,8 @@ void main()
         barrier();
         for (uint child = 0u; child < next.children; ++child)
             push.queue.at[firstOfNext + childBase + childPlace + child] = firstChild + child;
-        if (next.isLive)
-            push.live.at[liveBase + livePlace] = VisiblePatch(node, next.live);
+        if (next.isVisible)
+            push.visiblePatches.at[visibleBase + visiblePlace] = VisiblePatch(node, next.wanted);
         barrier();
     }
 }

@@ -148,20 +148,20 @@ void main()
         uint triangles[samplesPerPixel];
         SHARED_UNROLL for (uint s = 0u; s < samplesPerPixel; ++s)
             triangles[s] = triangleAt(pixel, s);
-        leaders = ask(thread, triangles, 1u, groundTriangles() + push.triangleCount + 1u);
+        leaders = gatherTasks(thread, triangles, 1u, groundTriangles() + push.triangleCount + 1u);
     }
     barrier();
 
     for (uint i = thread; i < gatheredCount; i += gatherThreads) {
-        const Question question = questionAt(i);
-        const uvec2 place = pixelOf(tile, question.thread);
-        answer(question, lightOf(triangleAt(place, question.s) - 1u, vec2(place) + 0.5));
+        const ShadingTask task = taskAt(i);
+        const uvec2 place = pixelOf(tile, task.thread);
+        putLight(task, lightOf(triangleAt(place, task.s) - 1u, vec2(place) + 0.5));
     }
     barrier();
 
     if (leaders == 0u)
         return;
-    vec4 sum = answered(thread, leaders);
+    vec4 sum = sumOfLight(thread, leaders);
     if (push.firstImage > 0u)
         sum += imageLoad(lit, ivec2(pixel)) * float(samplesPerPixel);
     imageStore(lit, ivec2(pixel), halfRounded(sum / float(samplesPerPixel)));

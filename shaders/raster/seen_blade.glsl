@@ -41,7 +41,7 @@ struct SeenBlade {
     BladeSurface surface;
     uint blade;      ///< resident id
     uint patchIndex; ///< patch that contains it, or unknownPatch
-    bool hasHistory; ///< whether the visibility history stores its quarters, see RasterPush::seen
+    bool hasHistory; ///< whether the visibility history stores its quarters, see RasterPush::history
 };
 
 /// Computes pose and colours from the stored blade.
@@ -64,7 +64,7 @@ SeenBlade freshBlade(uint index)
     seen.surface = bladeSurface(drawn, visible, limit);
     seen.blade = index;
     seen.patchIndex = patchIndex;
-    seen.hasHistory = uvec2(push.seen) != uvec2(0u) &&
+    seen.hasHistory = uvec2(push.history) != uvec2(0u) &&
                       pixelsCovered(part.posed.blade, visible.pixels, widthFactorOf(visible)) > testedSmallPixels;
     return seen;
 }

@@ -14,7 +14,7 @@ layout(local_size_x = rasterThreads) in;
 
 void main()
 {
-    const uint end = min(listedLarge(), maxSurfaces);
+    const uint end = min(listedLarge(), maxCachedBlades);
     for (uint slot = gl_GlobalInvocationID.x; slot < end; slot += gl_NumWorkGroups.x * rasterThreads) {
         const LargePart blade = partAt(slot);
         if (isCached(blade))

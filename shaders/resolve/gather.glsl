@@ -8,9 +8,9 @@
 
 const uint gatherThreads = gatherTile * gatherTile;
 
-shared uint gathered[samplesPerPixel * gatherThreads]; // see questionAt()
+shared uint gathered[samplesPerPixel * gatherThreads]; // see taskAt()
 shared uint gatheredCount;
-shared vec4 answers[samplesPerPixel * gatherThreads]; // by pixel and sample
+shared vec4 lights[samplesPerPixel * gatherThreads]; // by pixel and sample
 
 uvec2 pixelOf(uvec2 tile, uint thread)
 {
@@ -18,21 +18,21 @@ uvec2 pixelOf(uvec2 tile, uint thread)
 }
 
 /// A blade or surface that one pixel shows in some of its samples.
-struct Question {
+struct ShadingTask {
     uint thread;  ///< thread of the pixel
     uint s;       ///< one of the samples
     uint samples; ///< bits of all these samples
 };
 
-Question questionAt(uint i)
+ShadingTask taskAt(uint i)
 {
-    return Question(gathered[i] & 0xffu, (gathered[i] >> 8u) & 0xffu, gathered[i] >> 16u);
+    return ShadingTask(gathered[i] & 0xffu, (gathered[i] >> 8u) & 0xffu, gathered[i] >> 16u);
 }
 
 /// Gathers each surface that a pixel shows once, for all samples that show it. `seen`: see VisibilityArray; only values
 /// from `first` to below `end` are gathered. A blade's samples are in the order of rows: the middle one is taken,
 /// because the first would be biased towards the tip. Returns the gathered samples, as bits.
-uint ask(uint thread, uint seen[samplesPerPixel], uint first, uint end)
+uint gatherTasks(uint thread, uint seen[samplesPerPixel], uint first, uint end)
 {
     uint leaders = 0u;
     SHARED_UNROLL for (uint s = 0u; s < samplesPerPixel; ++s) {
@@ -49,19 +49,19 @@ uint ask(uint thread, uint seen[samplesPerPixel], uint first, uint end)
 }
 
 /// `light`: of each sample.
-void answer(Question question, vec4 light)
+void putLight(ShadingTask task, vec4 light)
 {
-    answers[samplesPerPixel * question.thread + question.s] =
-        float(bitCount(question.samples)) * light;
+    lights[samplesPerPixel * task.thread + task.s] =
+        float(bitCount(task.samples)) * light;
 }
 
 /// The sum over all gathered samples of a pixel.
-vec4 answered(uint thread, uint leaders)
+vec4 sumOfLight(uint thread, uint leaders)
 {
     vec4 sum = vec4(0.0);
     SHARED_UNROLL for (uint s = 0u; s < samplesPerPixel; ++s)
         if ((leaders & (1u << s)) != 0u)
-            sum += answers[samplesPerPixel * thread + s];
+            sum += lights[samplesPerPixel * thread + s];
     return sum;
 }
 

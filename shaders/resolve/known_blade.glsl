@@ -17,15 +17,15 @@ SeenBlade seenBlade(uint index)
 }
 
 /// Records in the visibility history that a quarter of the blade is visible. `along`: 0 at its root.
-void noteSeen(SeenBlade blade, float along)
+void noteVisible(SeenBlade blade, float along)
 {
     if (!blade.hasHistory)
         return;
-    UintArray seen = push.seen;
+    UintArray seen = push.history;
     const float segments = blade.ribbon.outline.segments;
     const float segment = min(floor(max(along, 0.0) * segments), segments - 1.0);
-    const uint word = blade.blade / seenOfWord;
-    const uint bit = seenBit(blade.blade, quarterOf(segment, segments));
+    const uint word = blade.blade / bladesOfHistoryWord;
+    const uint bit = historyBit(blade.blade, quarterOf(segment, segments));
     // Many pixels show the same quarter: a read is cheaper than an atomic.
     if ((seen.at[word] & bit) == 0u)
         atomicOr(seen.at[word], bit);

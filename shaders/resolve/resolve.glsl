@@ -20,7 +20,7 @@ vec4 shade(Lens lens, SeenBlade seen, vec2 pixel, uint samples, uint s, float de
 {
     const Sighting sighting = Sighting(pixel + samplePlace(s), depth, pixel + middleOf(samples));
     const Found found = find(lens, seen.ribbon, sighting);
-    noteSeen(seen, found.place.y);
+    noteVisible(seen, found.place.y);
     return shadeFound(seen, found);
 }
 

@@ -44,16 +44,16 @@ void main()
     if (isInside) {
         for (uint s = 0u; s < samplesPerPixel; ++s)
             seen[s] = uint(visibility.at[sampleIndex(pixel, s)]);
-        leaders = ask(thread, seen, push.firstBlade, ~0u);
+        leaders = gatherTasks(thread, seen, push.firstBlade, ~0u);
     }
     barrier();
 
     for (uint i = thread; showsBlades && i < gatheredCount; i += gatherThreads) {
-        const Question question = questionAt(i);
-        const uvec2 place = pixelOf(tile, question.thread);
-        const uint64_t word = visibility.at[sampleIndex(place, question.s)];
-        answer(question, shade(lens, seenBlade(uint(word) - push.firstBlade), vec2(place), question.samples,
-                               question.s, uintBitsToFloat(uint(word >> 32u))));
+        const ShadingTask task = taskAt(i);
+        const uvec2 place = pixelOf(tile, task.thread);
+        const uint64_t word = visibility.at[sampleIndex(place, task.s)];
+        putLight(task, shade(lens, seenBlade(uint(word) - push.firstBlade), vec2(place), task.samples,
+                               task.s, uintBitsToFloat(uint(word >> 32u))));
     }
     barrier();
 
@@ -62,7 +62,7 @@ void main()
     // Clear for the next frame.
     for (uint s = 0u; s < samplesPerPixel; ++s)
         visibility.at[sampleIndex(pixel, s)] = uint64_t(0u);
-    vec4 sum = answered(thread, leaders);
+    vec4 sum = sumOfLight(thread, leaders);
     float sky = 0.0;
     bool seesOpaque = false;
     for (uint s = 0u; s < samplesPerPixel; ++s) {

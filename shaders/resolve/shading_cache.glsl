@@ -6,7 +6,7 @@
 #include "shaders/raster/large_part.glsl"
 #include "shaders/raster/seen_blade.glsl"
 
-/// RasterPush::surfaces in units of 16 bytes; a BladeSurface has three.
+/// RasterPush::cachedSurfaces in units of 16 bytes; a BladeSurface has three.
 layout(buffer_reference, scalar, buffer_reference_align = 16) buffer SurfaceQuarters
 {
     uvec4 at[];
@@ -15,9 +15,9 @@ layout(buffer_reference, scalar, buffer_reference_align = 16) buffer SurfaceQuar
 /// Stores the surface of the blade that is listed at `slot`.
 void keepSurface(uint slot, SeenBlade seen)
 {
-    UintArray places = push.surfacePlaces;
-    places.at[seen.blade % surfacePlaceCount] = slot;
-    SurfaceQuarters surfaces = SurfaceQuarters(uvec2(push.surfaces));
+    UintArray places = push.cachePlaces;
+    places.at[seen.blade % cachePlaceCount] = slot;
+    SurfaceQuarters surfaces = SurfaceQuarters(uvec2(push.cachedSurfaces));
     surfaces.at[3u * slot] = floatBitsToUint(seen.surface.root);
     surfaces.at[3u * slot + 1u] = floatBitsToUint(seen.surface.tip);
     surfaces.at[3u * slot + 2u] = floatBitsToUint(seen.surface.material);
@@ -32,12 +32,12 @@ bool isCached(LargePart blade)
 /// Finds a blade in the cache; false if it is absent, or if another blade's entry has replaced it.
 bool findCached(uint index, out SeenBlade seen)
 {
-    const uint slot = push.surfacePlaces.at[index % surfacePlaceCount];
-    if (slot >= maxSurfaces)
+    const uint slot = push.cachePlaces.at[index % cachePlaceCount];
+    if (slot >= maxCachedBlades)
         return false;
     // Reads all data before the id is compared: waiting for the comparison takes longer.
     const LargePart blade = partAt(slot);
-    SurfaceQuarters surfaces = SurfaceQuarters(uvec2(push.surfaces));
+    SurfaceQuarters surfaces = SurfaceQuarters(uvec2(push.cachedSurfaces));
     const uvec4 root = surfaces.at[3u * slot];
     const uvec4 tip = surfaces.at[3u * slot + 1u];
     const uvec4 material = surfaces.at[3u * slot + 2u];

@@ -41,7 +41,7 @@ SightedBlade sightBlade(uvec2 pixel, uint what, uint samples, uint middle, float
     blade.found = find(blade.lens, blade.seen.ribbon,
                        Sighting(vec2(pixel) + samplePlace(middle), depth, vec2(pixel) + middleOf(samples)));
 #ifndef HAS_INSTANCES
-    noteSeen(blade.seen, blade.found.place.y);
+    noteVisible(blade.seen, blade.found.place.y);
 #endif
     return blade;
 }

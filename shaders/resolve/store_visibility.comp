@@ -92,20 +92,20 @@ void storeSeveral(uvec2 tile, uint thread, bool isInside)
             seen[s] = word.x;
             nearest = max(nearest, word.x != 0u ? uintBitsToFloat(word.y) : 0.0);
         }
-        leaders = ask(thread, seen, 1u, ~0u);
+        leaders = gatherTasks(thread, seen, 1u, ~0u);
         if (leaders != 0u)
             noteTile(pixel);
     }
     barrier();
     for (uint i = thread; i < gatheredCount; i += gatherThreads) {
-        const Question question = questionAt(i);
-        const uvec2 place = pixelOf(tile, question.thread);
-        const uvec2 word = wordAt(place, question.s);
-        answer(question, pictureOf(place, word.x, question.samples, question.s, uintBitsToFloat(word.y)));
+        const ShadingTask task = taskAt(i);
+        const uvec2 place = pixelOf(tile, task.thread);
+        const uvec2 word = wordAt(place, task.s);
+        putLight(task, pictureOf(place, word.x, task.samples, task.s, uintBitsToFloat(word.y)));
     }
     barrier();
     if (leaders != 0u)
-        storePixel(pixel, answered(thread, leaders), nearest);
+        storePixel(pixel, sumOfLight(thread, leaders), nearest);
 }
 
 void main()

@@ -37,7 +37,7 @@ SHARED_FN uint updateGroups(uint patches, uint ofGroup)
 /// updated and drawn in rounds; each round refills the list.
 struct UpdatePush {
     FrameArray cullView; ///< frame with the culling camera
-    VisiblePatchArray live;
+    VisiblePatchArray visiblePatches;
     WalkLevelArray levels;     ///< the first holds the number of visible patches
     WalkLevelArray nearCount;  ///< length of `near`, and work-groups for it
     UintArray near;            ///< places in the list of patches that a collider may touch
@@ -45,26 +45,26 @@ struct UpdatePush {
     UintArray nonEmptyPatches; ///< indices of the non-empty patches
     FrameArray views;          ///< views for which blades are moved, if there are several
     UintArray before;          ///< receives the states before the motion, if they are kept
-    UintArray seenBefore;      ///< see RasterPush; address 0: all blades are in the early list
+    UintArray history;         ///< see RasterPush; address 0: all blades are in the early list
     uint nonEmptyPatchCount;
     uint onlyUpdate; ///< 1: move all blades of all non-empty patches, cull and count none
-    uint firstLive;  ///< the round's first visible patch …
-    uint maxLive;    ///< … and the maximum number of its visible patches
+    uint firstPatch; ///< the round's first visible patch …
+    uint maxPatches; ///< … and the maximum number of its visible patches
     uint round;
     uint lateRound; ///< the round of the late list
     uint viewCount; ///< frames at `views`
-    uint frame;     ///< running number; see forgetsSeen()
+    uint frame;     ///< running number; see forgetsHistory()
 };
 SHARED_LAYOUT(UpdatePush, 112)
 
 /// A blade keeps its visibility history until it forgets it, in every 32nd frame. If all blades
 /// forgot in every frame, parts that the wind shows only briefly would leave holes in the
 /// occluders.
-SHARED_CONST uint framesSeen = 32u;
+SHARED_CONST uint historyFrames = 32u;
 
-SHARED_FN bool forgetsSeen(uint blade, uint frame)
+SHARED_FN bool forgetsHistory(uint blade, uint frame)
 {
-    return (blade + frame) % framesSeen == 0u;
+    return (blade + frame) % historyFrames == 0u;
 }
 
 // Feature flags: code that a pipeline of the update contains and a frame may use. The tests of
@@ -91,12 +91,12 @@ SHARED_CONST uint onlyCull = 2u; ///< blades that are already moved
 
 struct WalkPush {
     FrameArray cullView;
-    SubtreeArray subtrees;  ///< by patch
-    UintArray queue;        ///< room for each patch once
-    VisiblePatchArray live; ///< room for each non-empty patch
-    WalkLevelArray levels;  ///< one more than the levels of the tree
-    uint startCount;        ///< the walk begins with this many patches, the first of the array
-    uint level;             ///< 0 for these together, then 1, 2, … for children beyond them
+    SubtreeArray subtrees;            ///< by patch
+    UintArray queue;                  ///< room for each patch once
+    VisiblePatchArray visiblePatches; ///< room for each non-empty patch
+    WalkLevelArray levels;            ///< one more than the levels of the tree
+    uint startCount; ///< the walk begins with this many patches, the first of the array
+    uint level;      ///< 0 for these together, then 1, 2, … for children beyond them
 };
 SHARED_LAYOUT(WalkPush, 48)
 
@@ -255,18 +255,18 @@ SHARED_FN uint rowsOfColumn(uint height)
 
 /// Capacity of the shading cache: the large blades at the first places of the list, for all pixels
 /// that show them, …
-SHARED_CONST uint maxSurfaces = 262144u;
+SHARED_CONST uint maxCachedBlades = 262144u;
 
 /// … and size of its table by resident id modulo this: of two blades in an entry one is not cached.
-SHARED_CONST uint surfacePlaceCount = 1048576u;
+SHARED_CONST uint cachePlaceCount = 1048576u;
 
-/// Blades that share a word of RasterPush::seen.
-SHARED_CONST uint seenOfWord = 32u / quarters;
+/// Blades that share a word of RasterPush::history.
+SHARED_CONST uint bladesOfHistoryWord = 32u / quarters;
 
-/// The bit of a quarter of a blade in its word of RasterPush::seen.
-SHARED_FN uint seenBit(uint blade, uint quarter)
+/// The bit of a quarter of a blade in its word of RasterPush::history.
+SHARED_FN uint historyBit(uint blade, uint quarter)
 {
-    return 1u << (quarters * (blade % seenOfWord) + quarter);
+    return 1u << (quarters * (blade % bladesOfHistoryWord) + quarter);
 }
 
 struct RasterPush {
@@ -281,19 +281,19 @@ struct RasterPush {
     UintArray firstNonEmptyPatches; ///< per nonEmptyPatchStride blades: index into nonEmptyPatches
 
     /// The visibility history: a bit for each quarter of each blade, by resident id, whether a
-    /// sample has shown it lately, see forgetsSeen(). The early pass draws these quarters of large
-    /// blades; the late pass draws all others that are not hidden. The bits decide the pass, never
-    /// the visibility. Address 0: blades are not tested for occlusion by other blades.
-    UintArray seen;
-    UintArray surfacePlaces; ///< per resident id modulo surfacePlaceCount: the place in `large`
-                             ///< of the last listed blade with such an id
-    UintArray surfaces;      ///< 12 words each: see shading_cache.glsl
-    WalkLevelArray tiles;    ///< lists of tiles by content: see tile_classification.h
-    uvec2 size;              ///< [pixels]
-    uint isBgr;              ///< 1: the picture's first channel is blue
-    uint round;              ///< round of the list to rasterise: its first blades, or its last ones
-    uint firstBlade;         ///< visibility value of the blade with id 0: see VisibilityArray
-    uint instance;           ///< index of this instance in a view of several
+    /// sample has shown it lately, see forgetsHistory(). The early pass draws these quarters of
+    /// large blades; the late pass draws all others that are not hidden. The bits decide the pass,
+    /// never the visibility. Address 0: blades are not tested for occlusion by other blades.
+    UintArray history;
+    UintArray cachePlaces;    ///< per resident id modulo cachePlaceCount: the place in `large`
+                              ///< of the last listed blade with such an id
+    UintArray cachedSurfaces; ///< 12 words each: see shading_cache.glsl
+    WalkLevelArray tiles;     ///< lists of tiles by content: see tile_classification.h
+    uvec2 size;               ///< [pixels]
+    uint isBgr;               ///< 1: the picture's first channel is blue
+    uint round;      ///< round of the list to rasterise: its first blades, or its last ones
+    uint firstBlade; ///< visibility value of the blade with id 0: see VisibilityArray
+    uint instance;   ///< index of this instance in a view of several
 };
 SHARED_LAYOUT(RasterPush, 128)
 

@@ -35,7 +35,7 @@ SHARED_LAYOUT(WalkLevel, 16)
 SHARED_BUFFER(WalkLevelArray, WalkLevel, )
 
 /// Place of the walk's result among the walk's levels: the visible patches.
-SHARED_CONST uint liveLevel = 0u;
+SHARED_CONST uint visibleLevel = 0u;
 
 // Patches that a dispatch of the update takes. Code for colliders makes a CPU slow also where none
 // is near.

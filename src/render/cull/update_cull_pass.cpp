@@ -107,7 +107,7 @@ void UpdateCullPass::bind(const gpu::Recording& commands, Pipeline wanted,
     input.frame.bind(commands, pipeline.layout(), 0);
     const VkDeviceAddress levels = found.levels().address();
     pipeline.push(commands, shared::UpdatePush{.cullView = input.frame.address,
-                                               .live = found.live(),
+                                               .visiblePatches = found.visiblePatches(),
                                                .levels = levels,
                                                .nearCount = levels + nearOffset(found),
                                                .near = found.queue(),
@@ -115,11 +115,11 @@ void UpdateCullPass::bind(const gpu::Recording& commands, Pipeline wanted,
                                                .nonEmptyPatches = blades.nonEmptyPatches(),
                                                .views = input.views,
                                                .before = input.before,
-                                               .seenBefore = input.history.address,
+                                               .history = input.history.address,
                                                .nonEmptyPatchCount = blades.entryCount(),
                                                .onlyUpdate = scope == Scope::all ? 1u : 0u,
-                                               .firstLive = input.round * found.roundPatches(),
-                                               .maxLive = found.roundPatches(),
+                                               .firstPatch = input.round * found.roundPatches(),
+                                               .maxPatches = found.roundPatches(),
                                                .round = input.round,
                                                .lateRound = found.roundCount() + input.round,
                                                .viewCount = input.viewCount,
@@ -149,7 +149,7 @@ void UpdateCullPass::record(const gpu::Recording& commands, const BakedBlades& b
         commands.vk->CmdDispatch(commands, std::min(groups, input.maxGroups), 1, 1);
     } else {
         commands.vk->CmdDispatchIndirect(commands, found.levels().get(),
-                                         shared::liveLevel * sizeof(shared::WalkLevel));
+                                         shared::visibleLevel * sizeof(shared::WalkLevel));
     }
     if (!isSplit)
         return;

@@ -57,8 +57,9 @@ public:
 
     /// Visibility history of blades.
     struct History {
-        VkDeviceAddress address = 0; ///< see shared::RasterPush::seen; 0: all are listed in front
-        std::uint32_t frame = 0;     ///< frame number; see shared::forgetsSeen()
+        VkDeviceAddress address =
+            0;                   ///< see shared::RasterPush::history; 0: all are listed in front
+        std::uint32_t frame = 0; ///< frame number; see shared::forgetsHistory()
     };
 
     /// Inputs and outputs besides blades and lists.

@@ -38,7 +38,7 @@ void WalkPass::recordStep(const gpu::Recording& commands, const BakedBlades& bla
     walk_.push(commands, shared::WalkPush{.cullView = cullView,
                                           .subtrees = tree.subtrees(),
                                           .queue = found.queue(),
-                                          .live = found.live(),
+                                          .visiblePatches = found.visiblePatches(),
                                           .levels = found.levels().address(),
                                           .startCount = tree.startCount(),
                                           .level = step});

@@ -9,7 +9,7 @@ namespace {
 
 VkDeviceSize historyBytes(std::uint32_t blades)
 {
-    return (blades / shared::seenOfWord + 1) * sizeof(std::uint32_t);
+    return (blades / shared::bladesOfHistoryWord + 1) * sizeof(std::uint32_t);
 }
 
 gpu::Buffer historyOf(const gpu::DeviceContext& context, std::uint32_t blades)

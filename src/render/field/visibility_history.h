@@ -11,7 +11,7 @@
 namespace sward::render {
 
 /// Which quarters of the blades a view has shown lately: a bit for each, see
-/// shared::RasterPush::seen. The early pass draws these quarters of large blades.
+/// shared::RasterPush::history. The early pass draws these quarters of large blades.
 class VisibilityHistory {
 public:
     VisibilityHistory() = default; ///< none: there is one pass
@@ -20,7 +20,7 @@ public:
     VisibilityHistory(const gpu::DeviceContext& context, std::uint32_t blades);
 
     VkDeviceAddress address() const { return bits_.address(); } ///< 0: none
-    std::uint32_t frame() const { return frame_; } ///< number of frames begun: forgetsSeen()
+    std::uint32_t frame() const { return frame_; } ///< number of frames begun: forgetsHistory()
 
     /// Begins a frame. Clears a new history; a transfer.
     void begin(const gpu::Recording& commands);

@@ -36,7 +36,8 @@ void VisibleBlades::fit(const gpu::DeviceContext& context, const BakedBlades& bl
                       std::max(blades.patchCount() - (blades.isEditable() ? 0 : tree.startCount()),
                                blades.nonEmptyPatchCount()) *
                           sizeof(std::uint32_t));
-    live_ = allocate(context, "view/visible patches", patches * sizeof(shared::VisiblePatch));
+    visiblePatches_ =
+        allocate(context, "view/visible patches", patches * sizeof(shared::VisiblePatch));
     nearLevel_ = tree.maxSteps() + 1;
     levels_ = allocate(context, "view/levels", (nearLevel_ + 1) * sizeof(shared::WalkLevel));
     visible_ = allocate(context, "view/visible", listLength_ * sizeof(shared::VisibleBlade));
@@ -62,7 +63,8 @@ void VisibleBlades::update(const gpu::DeviceContext& context, const BakedBlades&
         roundCount_ = rounds;
         return;
     }
-    for (gpu::Buffer* const buffer : {&queue_, &live_, &levels_, &visible_, &rounds_, &draw_})
+    for (gpu::Buffer* const buffer :
+         {&queue_, &visiblePatches_, &levels_, &visible_, &rounds_, &draw_})
         outgrown.push_back({std::move(*buffer), VK_NULL_HANDLE});
     fit(context, blades);
 }

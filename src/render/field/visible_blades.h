@@ -39,8 +39,11 @@ public:
     const gpu::Buffer& rounds() const { return rounds_; }
 
     VkDeviceAddress queue() const { return queue_.address(); } ///< of patches to be tested
-    VkDeviceAddress live() const { return live_.address(); }   ///< shared::VisiblePatch
-    const gpu::Buffer& levels() const { return levels_; }      ///< shared::WalkLevel
+    VkDeviceAddress visiblePatches() const
+    {
+        return visiblePatches_.address();
+    }                                                     ///< shared::VisiblePatch
+    const gpu::Buffer& levels() const { return levels_; } ///< shared::WalkLevel
     /// Index of the last level, for patches that colliders may touch. The walk's queue holds their
     /// list, once the walk has ended.
     std::uint32_t nearLevel() const { return nearLevel_; }
@@ -61,7 +64,7 @@ private:
     std::uint32_t nearLevel_ = 0;
     VkDeviceSize bytes_ = 0;
     gpu::Buffer queue_;
-    gpu::Buffer live_;
+    gpu::Buffer visiblePatches_;
     gpu::Buffer levels_;
     gpu::Buffer visible_;
     gpu::Buffer rounds_;

@@ -250,7 +250,7 @@ void HostRaster::writeTable(Slot& slot, std::uint32_t slotIndex, std::span<const
             entry.raster.rounds = field.list(v).rounds().address();
             view.large->describe(entry.raster);
             if (view.hasTwoPasses)
-                entry.raster.seen = field.history(v).address();
+                entry.raster.history = field.history(v).address();
             if (view.cache != nullptr)
                 shadingCache_->describe(entry.raster);
             entry.raster.nonEmptyPatches = field.blades().nonEmptyPatches();

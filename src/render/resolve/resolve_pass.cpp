@@ -22,16 +22,16 @@ constexpr std::uint32_t resolveFrameSet = 1;
 constexpr std::uint32_t filmSet = 2;
 
 /// Possible content of a list's tiles.
-struct Shown {
+struct TileContent {
     std::uint32_t list;
     bool blades;
     bool sky;
 };
 
-constexpr std::array all{Shown{shared::tileLists, true, true}};
-constexpr std::array byContent{Shown{shared::tilesOfBlades, true, false},
-                               Shown{shared::tilesWithoutBlades, false, true},
-                               Shown{shared::tilesOfBladesAndSky, true, true}};
+constexpr std::array all{TileContent{shared::tileLists, true, true}};
+constexpr std::array byContent{TileContent{shared::tilesOfBlades, true, false},
+                               TileContent{shared::tilesWithoutBlades, false, true},
+                               TileContent{shared::tilesOfBladesAndSky, true, true}};
 
 } // namespace
 
@@ -76,20 +76,20 @@ void ResolvePass::prepare(const gpu::ShaderLibrary& shaders, Shading shading)
     if (parts_.contains(shading))
         return;
     std::vector<Part> parts;
-    const std::span<const Shown> lists =
-        target_.sortsTiles ? std::span<const Shown>(byContent) : all;
-    for (const Shown& shown : lists)
+    const std::span<const TileContent> lists =
+        target_.sortsTiles ? std::span<const TileContent>(byContent) : all;
+    for (const TileContent& content : lists)
         parts.push_back(
-            {shown.list,
+            {content.list,
              pipeline(
                  shaders, "raster/resolve",
                  target_.samples > 1 ? shader::resolveOfFour : shader::resolve,
                  {{.id = shared::idKnownDebugMode, .value = shading.debugMode},
                   {.id = shared::idLimitsLeafArea, .value = shading.limitsLeafArea ? 1u : 0u},
-                  {.id = shared::idTileList, .value = shown.list},
+                  {.id = shared::idTileList, .value = content.list},
                   {.id = shared::idMayFold, .value = target_.looks.mayFold ? 1u : 0u},
-                  {.id = shared::idShowsBlades, .value = shown.blades ? 1u : 0u},
-                  {.id = shared::idShowsSky, .value = shown.sky ? 1u : 0u},
+                  {.id = shared::idShowsBlades, .value = content.blades ? 1u : 0u},
+                  {.id = shared::idShowsSky, .value = content.sky ? 1u : 0u},
                   {.id = shared::idOnlyShape, .value = target_.looks.onlyShape},
                   {.id = shared::idMayHaveOrgans, .value = target_.looks.mayHaveOrgans ? 1u : 0u},
                   {.id = shared::idHasShadingCache, .value = shading.hasShadingCache ? 1u : 0u}})});

@@ -26,8 +26,8 @@ gpu::Buffer bufferOf(const gpu::DeviceContext& context, const char* name, VkDevi
 ShadingCachePass::ShadingCachePass(const gpu::DeviceContext& context)
     : context_(&context)
     , frameLayout_(context, "raster/frame")
-    , places_(bufferOf(context, "raster/places of surfaces", shared::surfacePlaceCount))
-    , surfaces_(bufferOf(context, "raster/surfaces", wordsOfSurface * shared::maxSurfaces))
+    , places_(bufferOf(context, "raster/places of surfaces", shared::cachePlaceCount))
+    , surfaces_(bufferOf(context, "raster/surfaces", wordsOfSurface * shared::maxCachedBlades))
 {
 }
 
@@ -56,8 +56,8 @@ const gpu::ComputePipeline& ShadingCachePass::prepare(const gpu::ShaderLibrary& 
 
 void ShadingCachePass::describe(shared::RasterPush& push) const
 {
-    push.surfacePlaces = places_.address();
-    push.surfaces = surfaces_.address();
+    push.cachePlaces = places_.address();
+    push.cachedSurfaces = surfaces_.address();
 }
 
 void ShadingCachePass::record(const gpu::Recording& commands, const gpu::ComputePipeline& pipeline,

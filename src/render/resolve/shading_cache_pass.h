@@ -45,8 +45,8 @@ public:
 private:
     const gpu::DeviceContext* context_;
     gpu::UniformSetLayout frameLayout_;
-    gpu::Buffer places_;   ///< see RasterPush::surfacePlaces
-    gpu::Buffer surfaces_; ///< see RasterPush::surfaces
+    gpu::Buffer places_;   ///< see RasterPush::cachePlaces
+    gpu::Buffer surfaces_; ///< see RasterPush::cachedSurfaces
     std::map<Variant, gpu::ComputePipeline> pipelines_;
 };
 

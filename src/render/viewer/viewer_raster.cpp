@@ -93,7 +93,7 @@ shared::RasterPush ViewerRaster::pushFor(const Input& input) const
     push.rounds = input.field->list().rounds().address();
     push.nonEmptyPatches = input.field->baked().nonEmptyPatches();
     push.firstNonEmptyPatches = input.field->baked().firstNonEmptyPatches();
-    push.seen = input.hasTwoPasses ? history_.address() : 0;
+    push.history = input.hasTwoPasses ? history_.address() : 0;
     push.size = size_;
     push.isBgr = isBgr(target_.colorFormat) ? 1u : 0u;
     push.firstBlade = input.firstBlade;

@@ -47,7 +47,7 @@ public:
         FramePlace frame{};           ///< of the picture
         FramePlace cullView{};        ///< whose camera listed the visible blades
         std::uint32_t firstBlade = 1; ///< see OpaqueRasterPass
-        bool hasTwoPasses = false;    ///< blades hide blades: see shared::RasterPush::seen
+        bool hasTwoPasses = false;    ///< blades hide blades: see shared::RasterPush::history
     };
 
     /// Clears lists of blades, and the visibility unless the frame before left it empty. Needs

@@ -221,7 +221,7 @@ TEST_F(LargeBlades, WhicheverQuarterWasSeenBeforeThePictureIsTheSame)
 /// recomputed. Some hundreds of such blades are in view.
 TEST_F(LargeBlades, ThatShareAPlaceForTheirSurfacesHaveTheirOwn)
 {
-    const field::Field field = tallGrass(shared::surfacePlaceCount + 400'000, 70.0f);
+    const field::Field field = tallGrass(shared::cachePlaceCount + 400'000, 70.0f);
     FieldRenderer renderer = askingRendererOf(field, 1);
     Camera camera;
     camera.eye = {0.0, 3.9, 13.5};

@@ -71,8 +71,8 @@ public:
     void fill(shared::RasterPush& r)
     {
         fillAll(r.frame, r.cullView, r.visibility, r.rounds, r.large, r.largeCount, r.cut,
-                r.nonEmptyPatches, r.firstNonEmptyPatches, r.seen, r.surfacePlaces, r.surfaces,
-                r.tiles, r.size, r.isBgr, r.round, r.firstBlade, r.instance);
+                r.nonEmptyPatches, r.firstNonEmptyPatches, r.history, r.cachePlaces,
+                r.cachedSurfaces, r.tiles, r.size, r.isBgr, r.round, r.firstBlade, r.instance);
     }
     void fill(shared::Eyepoint& e)
     {
@@ -186,11 +186,11 @@ std::size_t fillValues(Values& v)
               v.groundMaterial.image, v.groundMaterial.flags);
     n.fillAll(v.collider);
     shared::UpdatePush& u = v.updatePush;
-    n.fillAll(u.cullView, u.live, u.levels, u.rounds, u.nonEmptyPatches, u.views, u.before,
-              u.seenBefore, u.nonEmptyPatchCount, u.onlyUpdate, u.firstLive, u.maxLive, u.round,
-              u.lateRound, u.viewCount, u.frame);
+    n.fillAll(u.cullView, u.visiblePatches, u.levels, u.rounds, u.nonEmptyPatches, u.views,
+              u.before, u.history, u.nonEmptyPatchCount, u.onlyUpdate, u.firstPatch, u.maxPatches,
+              u.round, u.lateRound, u.viewCount, u.frame);
     shared::WalkPush& w = v.walkPush;
-    n.fillAll(w.cullView, w.subtrees, w.queue, w.live, w.levels, w.startCount, w.level);
+    n.fillAll(w.cullView, w.subtrees, w.queue, w.visiblePatches, w.levels, w.startCount, w.level);
     n.fill(v.rasterPush);
     n.fillAll(v.subtree.blades, v.subtree.widest, v.subtree.rankBelow);
     n.fillAll(v.live.patchIndex, v.live.count);

@@ -96,7 +96,7 @@ UpdateBench::Result UpdateBench::run(shared::Frame frame, const render::FrameSet
         if (groups_ > 0) {
             input.maxGroups = groups_;
             vkCmdFillBuffer(commands, buffers_.list().levels().get(),
-                            shared::liveLevel * sizeof(shared::WalkLevel) +
+                            shared::visibleLevel * sizeof(shared::WalkLevel) +
                                 offsetof(shared::WalkLevel, groups),
                             sizeof(std::uint32_t), groups_);
             gpu::memoryBarrier(commands, gpu::anyAccess, gpu::anyAccess);

@@ -26,9 +26,9 @@ TEST(Quarters, EachSegmentLiesInOne)
 TEST(Quarters, OfTheBladesOfAWordHaveABitEach)
 {
     uint word = 0;
-    for (uint blade = 0; blade < seenOfWord; ++blade)
+    for (uint blade = 0; blade < bladesOfHistoryWord; ++blade)
         for (uint quarter = 0; quarter < quarters; ++quarter) {
-            const uint bit = seenBit(blade, quarter);
+            const uint bit = historyBit(blade, quarter);
             EXPECT_EQ(word & bit, 0u) << "quarter " << quarter << " of blade " << blade;
             word |= bit;
         }
@@ -82,8 +82,8 @@ TEST(Quarters, AreForgottenOnceInSoManyFrames)
     for (const uint blade : {0u, 7u, 1000003u})
         for (const uint start : {0u, 0xfffffff8u}) {
             uint forgotten = 0;
-            for (uint frame = 0; frame < 4 * framesSeen; ++frame)
-                forgotten += forgetsSeen(blade, start + frame) ? 1u : 0u;
+            for (uint frame = 0; frame < 4 * historyFrames; ++frame)
+                forgotten += forgetsHistory(blade, start + frame) ? 1u : 0u;
             EXPECT_EQ(forgotten, 4u) << blade << ", from frame " << start;
         }
 }

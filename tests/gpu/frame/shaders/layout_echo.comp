@@ -287,17 +287,17 @@ void main()
     put(sources.at[0].collider.at[1]);
 
     put(uvec2(sources.at[0].updatePush.at[1].cullView));
-    put(uvec2(sources.at[0].updatePush.at[1].live));
+    put(uvec2(sources.at[0].updatePush.at[1].visiblePatches));
     put(uvec2(sources.at[0].updatePush.at[1].levels));
     put(uvec2(sources.at[0].updatePush.at[1].rounds));
     put(uvec2(sources.at[0].updatePush.at[1].nonEmptyPatches));
     put(uvec2(sources.at[0].updatePush.at[1].views));
     put(uvec2(sources.at[0].updatePush.at[1].before));
-    put(uvec2(sources.at[0].updatePush.at[1].seenBefore));
+    put(uvec2(sources.at[0].updatePush.at[1].history));
     put(sources.at[0].updatePush.at[1].nonEmptyPatchCount);
     put(sources.at[0].updatePush.at[1].onlyUpdate);
-    put(sources.at[0].updatePush.at[1].firstLive);
-    put(sources.at[0].updatePush.at[1].maxLive);
+    put(sources.at[0].updatePush.at[1].firstPatch);
+    put(sources.at[0].updatePush.at[1].maxPatches);
     put(sources.at[0].updatePush.at[1].round);
     put(sources.at[0].updatePush.at[1].lateRound);
     put(sources.at[0].updatePush.at[1].viewCount);
@@ -306,7 +306,7 @@ void main()
     put(uvec2(sources.at[0].walkPush.at[1].cullView));
     put(uvec2(sources.at[0].walkPush.at[1].subtrees));
     put(uvec2(sources.at[0].walkPush.at[1].queue));
-    put(uvec2(sources.at[0].walkPush.at[1].live));
+    put(uvec2(sources.at[0].walkPush.at[1].visiblePatches));
     put(uvec2(sources.at[0].walkPush.at[1].levels));
     put(sources.at[0].walkPush.at[1].startCount);
     put(sources.at[0].walkPush.at[1].level);
@@ -320,9 +320,9 @@ void main()
     put(uvec2(sources.at[0].rasterPush.at[1].cut));
     put(uvec2(sources.at[0].rasterPush.at[1].nonEmptyPatches));
     put(uvec2(sources.at[0].rasterPush.at[1].firstNonEmptyPatches));
-    put(uvec2(sources.at[0].rasterPush.at[1].seen));
-    put(uvec2(sources.at[0].rasterPush.at[1].surfacePlaces));
-    put(uvec2(sources.at[0].rasterPush.at[1].surfaces));
+    put(uvec2(sources.at[0].rasterPush.at[1].history));
+    put(uvec2(sources.at[0].rasterPush.at[1].cachePlaces));
+    put(uvec2(sources.at[0].rasterPush.at[1].cachedSurfaces));
     put(uvec2(sources.at[0].rasterPush.at[1].tiles));
     put(sources.at[0].rasterPush.at[1].size);
     put(sources.at[0].rasterPush.at[1].isBgr);
@@ -382,9 +382,9 @@ void main()
     put(uvec2(sources.at[0].hostInstance.at[1].raster.cut));
     put(uvec2(sources.at[0].hostInstance.at[1].raster.nonEmptyPatches));
     put(uvec2(sources.at[0].hostInstance.at[1].raster.firstNonEmptyPatches));
-    put(uvec2(sources.at[0].hostInstance.at[1].raster.seen));
-    put(uvec2(sources.at[0].hostInstance.at[1].raster.surfacePlaces));
-    put(uvec2(sources.at[0].hostInstance.at[1].raster.surfaces));
+    put(uvec2(sources.at[0].hostInstance.at[1].raster.history));
+    put(uvec2(sources.at[0].hostInstance.at[1].raster.cachePlaces));
+    put(uvec2(sources.at[0].hostInstance.at[1].raster.cachedSurfaces));
     put(uvec2(sources.at[0].hostInstance.at[1].raster.tiles));
     put(sources.at[0].hostInstance.at[1].raster.size);
     put(sources.at[0].hostInstance.at[1].raster.isBgr);
