@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <limits>
 
 namespace sward::render {
 
@@ -26,11 +27,15 @@ struct StreamingStats {
     std::uint64_t places = 0;         ///< pages that fit into the budgets
     std::uint64_t residentPages = 0;  ///< in device memory
     std::uint64_t residentBlades = 0; ///< of patches that are completely there
-    std::uint64_t wantedPages = 0;    ///< with blades that a view draws, by the last survey
+    std::uint64_t wantedPages = 0;    ///< with blades that a view draws, by the last census
     std::uint64_t missingPages = 0;   ///< of these, not in device memory
-    std::uint64_t copiedBytes = 0;    ///< recorded in the last frame
-    float thinning = 1.0f;            ///< largest factor on FrameSettings::lodThreshold, 1 to 8
-    bool isSettled = true;            ///< with unchanged views further frames would change nothing
+
+    /// [m] from a view's eye to the nearest blades that it draws, unthinned, and that are not in
+    /// device memory; in the space of their field. Infinity if there are none.
+    float nearestMissing = std::numeric_limits<float>::infinity();
+    std::uint64_t copiedBytes = 0; ///< recorded in the last frame
+    float thinning = 1.0f;         ///< largest factor on FrameSettings::lodThreshold, 1 to 8
+    bool isSettled = true;         ///< with unchanged views further frames would change nothing
 };
 
 } // namespace sward::render

@@ -52,7 +52,7 @@ StreamingStats HostStreaming::stats(std::span<const PlacedField* const> instance
 {
     findFields(instances);
     StreamingStats sum;
-    for (const Streaming* field : fields_) {
+    for (Streaming* field : fields_) {
         const StreamingStats own = field->stats();
         sum.pages += own.pages;
         sum.places += own.places;
@@ -60,6 +60,7 @@ StreamingStats HostStreaming::stats(std::span<const PlacedField* const> instance
         sum.residentBlades += own.residentBlades;
         sum.wantedPages += own.wantedPages;
         sum.missingPages += own.missingPages;
+        sum.nearestMissing = std::min(sum.nearestMissing, own.nearestMissing);
         sum.copiedBytes += own.copiedBytes;
         sum.thinning = std::max(sum.thinning, own.thinning);
         sum.isSettled = sum.isSettled && own.isSettled;

@@ -1,7 +1,6 @@
 #include "render/streaming/streaming.h"
 
 #include "core/expect.h"
-#include "core/files/mapped_file.h"
 #include "gpu/recording/barrier.h"
 #include "render/frame/shader_names.h"
 
@@ -17,8 +16,12 @@ using shared::pageBlades;
 
 constexpr VkDeviceSize pageBytes = pageBlades * sizeof(shared::PackedBlade);
 
-/// Nodes of the patch tree visited per frame for one view: about half a millisecond.
-constexpr std::uint32_t nodesPerFrame = 8192;
+/// Nodes of the patch tree visited per frame for one eye, besides those for the pages that come:
+/// less than 0.1 ms.
+constexpr std::uint32_t nodesPerFrame = 512;
+
+/// The least for each of many eyes.
+constexpr std::uint32_t minNodes = 64;
 
 /// Maximum change of thinning per frame: a tenth of the width.
 constexpr float thinningStep = 1.1f;
@@ -56,10 +59,11 @@ void raise(std::span<shared::Eyepoint> seen, float threshold)
 Streaming::Streaming(const gpu::DeviceContext& context, const gpu::ShaderLibrary& shaders,
                      const field::FieldView& field, const BakedBlades& blades,
                      const Settings& settings)
-    : field_(field)
-    , blades_(blades)
+    : blades_(blades)
     , settings_(settings)
     , residency_(field, blades.placeCount() / pageBlades)
+    , census_(residency_.tree())
+    , reader_(field, settings.waitsForDisk)
     , copies_(context, blades.blades(), pagesPerFrame(settings) * pageBytes, batchesOf(settings),
               settings.usesCopyQueue)
     , change_(context, shaders,
@@ -90,13 +94,12 @@ void Streaming::choose(std::span<shared::Eyepoint> seen, std::uint32_t slot)
     frame.count = 0;
     copied_ = 0;
 
-    // Survey by what is drawn now.
+    // Choose by what is drawn now, and by where the eyes will be.
     const float threshold = seen.front().lodThreshold;
     if (thinning_ > 0.0f)
         raise(seen, threshold * thinning_);
-    const auto views = static_cast<std::uint32_t>(seen.size());
-    const bool hasLooked = residency_.survey(seen, threshold > 0.0f ? threshold : rankingThreshold,
-                                             std::max(nodesPerFrame / views, 1u));
+    const std::span<const shared::Eyepoint> ahead = motion_.ahead(seen);
+    const auto eyes = static_cast<std::uint32_t>(seen.size() + ahead.size());
 
     // The place of a page that has left is free once no frame reads it.
     const auto stillRead =
@@ -104,27 +107,32 @@ void Streaming::choose(std::span<shared::Eyepoint> seen, std::uint32_t slot)
     std::for_each(left_.begin(), stillRead,
                   [this](const Left& left) { residency_.free(left.gone); });
     left_.erase(left_.begin(), stillRead);
-    makeRoom(frame);
+    residency_.look(seen, ahead, threshold > 0.0f ? threshold : rankingThreshold,
+                    std::max(nodesPerFrame / eyes, minNodes));
 
-    // Mark arrived pages as resident; request more.
+    reader_.begin();
+
+    // Request pages, then mark those as resident that have arrived: none leaves in the same frame.
     if (!copies_.hasQueue()) {
         copies_.begin(slot);
-        fill(slot);
+        fill(frame, slot);
         takeIn(frame, slot);
     } else {
-        for (std::uint32_t batch = 0; batch < copies_.batches(); ++batch)
-            if (!coming_[batch].empty() && copies_.isDone(batch))
-                takeIn(frame, batch);
         const auto idle =
             std::ranges::find_if(coming_, [](const auto& pages) { return pages.empty(); });
+        const auto filled = static_cast<std::uint32_t>(idle - coming_.begin());
         if (idle != coming_.end()) {
-            const auto batch = static_cast<std::uint32_t>(idle - coming_.begin());
-            copies_.begin(batch);
-            if (fill(batch))
-                copies_.submit(batch);
+            copies_.begin(filled);
+            fill(frame, filled);
+            if (!idle->empty())
+                copies_.submit(filled);
         }
+        for (std::uint32_t batch = 0; batch < copies_.batches(); ++batch)
+            if (batch != filled && !coming_[batch].empty() && copies_.isDone(batch))
+                takeIn(frame, batch);
     }
-    frame.resident = residency_.blades();
+    residency_.finish();
+    frame.resident = residency_.tree().blades();
 
     const float wanted = residency_.thinning();
     if (thinning_ == 0.0f)
@@ -133,8 +141,8 @@ void Streaming::choose(std::span<shared::Eyepoint> seen, std::uint32_t slot)
         thinning_ = std::clamp(wanted, thinning_ / thinningStep, thinning_ * thinningStep);
     raise(seen, threshold * thinning_);
     const bool isOnItsWay = std::ranges::any_of(coming_, [](const auto& p) { return !p.empty(); });
-    isSettled_ = hasLooked && frame.count == 0 && left_.empty() && !isOnItsWay &&
-                 thinning_ == wanted && residency_.isAllThere();
+    isSettled_ = frame.count == 0 && left_.empty() && !isOnItsWay && thinning_ == wanted &&
+                 residency_.isAllThere();
 }
 
 void Streaming::note(InFlight& frame, const shared::PageChange& change)
@@ -151,43 +159,63 @@ void Streaming::takeIn(InFlight& frame, std::uint32_t batch)
     coming_[batch].clear();
 }
 
-void Streaming::makeRoom(InFlight& frame)
+void Streaming::fill(InFlight& frame, std::uint32_t batch)
 {
-    auto waiting = residency_.freePlaces() + static_cast<std::uint32_t>(left_.size());
-    for (; waiting < pagesPerFrame(settings_); ++waiting) {
-        const std::optional<Residency::Gone> gone = residency_.leave(waiting);
-        if (!gone)
+    // All that a frame may bring is used as long as pages are missing.
+    const std::uint32_t most = pagesPerFrame(settings_);
+    std::uint32_t unread = 0;
+    std::uint32_t waiting = 0;
+    while (coming_[batch].size() < most && unread < most) {
+        const std::optional<Residency::Wanted> wanted = residency_.next();
+        if (!wanted)
             return;
-        note(frame, gone->change);
-        left_.push_back({*gone, frame.number});
+        if (!reader_.isReadable(wanted->page)) {
+            residency_.postpone(*wanted);
+            ++unread;
+            continue;
+        }
+        if (residency_.freePlaces() == 0 && !makeRoom(frame, *wanted, ++waiting))
+            return;
+        if (residency_.freePlaces() > 0)
+            copy(batch, wanted->page);
+        else
+            residency_.postpone(*wanted);
     }
 }
 
-bool Streaming::fill(std::uint32_t batch)
+/// Evicts a page for the `waiting`-th wanted one without a place; false if there is none.
+bool Streaming::makeRoom(InFlight& frame, const Residency::Wanted& wanted, std::uint32_t waiting)
 {
-    std::uint32_t tries = 2 * pagesPerFrame(settings_);
-    while (coming_[batch].size() < pagesPerFrame(settings_) && residency_.freePlaces() > 0 &&
-           tries-- > 0) {
-        const std::optional<std::uint32_t> page = residency_.next();
-        if (!page)
-            break;
-        const std::size_t first = std::size_t(*page) * pageBlades;
-        const auto bytes = std::as_bytes(field_.blades.subspan(
-            first, std::min<std::size_t>(pageBlades, field_.blades.size() - first)));
-        // Skip it; the next survey requests it again.
-        if (!settings_.waitsForDisk && !isInMemory(bytes)) {
-            bringIntoMemory(bytes);
-            continue;
-        }
-        const std::optional<std::uint32_t> place = residency_.take(*page);
-        expect(place.has_value(), "a place is free");
-        const auto room = copies_.add(batch, *place * pageBytes, bytes.size());
-        expect(room.size() == bytes.size(), "the batch has room");
-        std::memcpy(room.data(), bytes.data(), bytes.size());
-        copied_ += bytes.size();
-        coming_[batch].push_back(*page);
+    // The copy queue may overtake frames that still read the page; places that others have left
+    // become free in a later frame.
+    const bool isLater = copies_.hasQueue();
+    if (isLater && waiting <= left_.size())
+        return true;
+    if (frame.count == pagesPerFrame(settings_)) {
+        residency_.postpone(wanted);
+        return false;
     }
-    return !coming_[batch].empty();
+    const std::optional<Residency::Gone> gone = residency_.leave(wanted);
+    if (!gone)
+        return false;
+    note(frame, gone->change);
+    if (isLater)
+        left_.push_back({*gone, frame.number});
+    else
+        residency_.free(*gone);
+    return true;
+}
+
+void Streaming::copy(std::uint32_t batch, std::uint32_t page)
+{
+    const std::optional<std::uint32_t> place = residency_.take(page);
+    expect(place.has_value(), "a place is free");
+    const std::span<const std::byte> bytes = reader_.bytes(page);
+    const auto room = copies_.add(batch, *place * pageBytes, bytes.size());
+    expect(room.size() == bytes.size(), "the batch has room");
+    std::memcpy(room.data(), bytes.data(), bytes.size());
+    copied_ += bytes.size();
+    coming_[batch].push_back(page);
 }
 
 void Streaming::record(const gpu::Recording& commands, std::uint32_t slot, std::uint32_t settledAt,
@@ -228,14 +256,16 @@ void Streaming::record(const gpu::Recording& commands, std::uint32_t slot, std::
     }
 }
 
-StreamingStats Streaming::stats() const
+StreamingStats Streaming::stats()
 {
-    return {.pages = residency_.pageCount(),
+    census_.advance(residency_.scores());
+    return {.pages = residency_.tree().pageCount(),
             .places = blades_.placeCount() / pageBlades,
-            .residentPages = residency_.residentPages(),
-            .residentBlades = residency_.blades(),
-            .wantedPages = residency_.seenPages(),
-            .missingPages = residency_.missingPages(),
+            .residentPages = residency_.tree().residentPages(),
+            .residentBlades = residency_.tree().blades(),
+            .wantedPages = census_.wanted(),
+            .missingPages = census_.missing(),
+            .nearestMissing = nearestMissing(residency_.tree(), residency_.scores()),
             .copiedBytes = copied_,
             .thinning = std::max(thinning_, 1.0f),
             .isSettled = isSettled_};

@@ -10,6 +10,9 @@
 #include "render/field/baked_blades.h"
 #include "render/field/blade_states.h"
 #include "render/frame/frame_stats.h"
+#include "render/streaming/eye_motion.h"
+#include "render/streaming/page_census.h"
+#include "render/streaming/page_reader.h"
 #include "render/streaming/residency.h"
 #include "shaders/shared/eyepoint.h"
 #include "shaders/shared/pages.h"
@@ -30,7 +33,7 @@ struct BladePart {
 };
 
 /// Streams visible blades into device memory if it does not hold the whole field (decision 0026): a
-/// bounded number of pages per frame, by the frame's own commands or by the context's copy queue.
+/// bounded number of bytes per frame, by the frame's own commands or by the context's copy queue.
 /// Several placed fields may share the blades, each with its own states.
 class Streaming {
 public:
@@ -62,19 +65,18 @@ public:
     /// Number of resident blades in the frame last chosen in `slot`.
     std::uint64_t residentBlades(std::uint32_t slot) const { return frames_[slot].resident; }
 
-    /// Counts of the frame last chosen. Not for every frame of a huge field: it counts what is
-    /// missing.
-    StreamingStats stats() const;
+    /// Counts of the frame last chosen. Those of wanted and missing pages are of a census, which
+    /// takes several calls for a large field.
+    StreamingStats stats();
 
     /// Upper bound of patches with resident blades.
-    std::uint64_t residentPatches() const { return residency_.patches(); }
+    std::uint64_t residentPatches() const { return residency_.tree().patches(); }
 
     /// Memory ranges of a patch's blades; empty if they are not resident.
     std::vector<BladePart> partsOf(const shared::Patch& cell) const;
 
     /// The semaphore wait for the frame's submission, with a copy queue. It is short.
     std::optional<VkSemaphoreSubmitInfo> copied() const;
-
     /// Device memory and mapped memory for these settings.
     static VkDeviceSize bytesFor(const Settings& settings);
     VkDeviceSize bytes() const { return bytesFor(settings_); }
@@ -93,13 +95,16 @@ private:
 
     void note(InFlight& frame, const shared::PageChange& change);
     void takeIn(InFlight& frame, std::uint32_t batch);
-    void makeRoom(InFlight& frame);
-    bool fill(std::uint32_t batch);
+    void fill(InFlight& frame, std::uint32_t batch);
+    bool makeRoom(InFlight& frame, const Residency::Wanted& wanted, std::uint32_t waiting);
+    void copy(std::uint32_t batch, std::uint32_t page);
 
-    field::FieldView field_;
     const BakedBlades& blades_;
     Settings settings_;
     Residency residency_;
+    PageCensus census_;
+    PageReader reader_;
+    EyeMotion motion_;
     gpu::CopyRing copies_;
     gpu::ComputePipeline change_;
     std::vector<InFlight> frames_;                   ///< by slot

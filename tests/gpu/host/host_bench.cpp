@@ -1,11 +1,14 @@
 // Measures the cost of grass in a host's frames, by either method of drawing:
 //   sward_host_bench FIELD.sward SCENE.json [raster|tessellation] [samples=N] [instances=N]
-//   [frames=N] [lamps=N] [ambient=1] [shadow=1] [budget=MIB] [fly=1] [store=1]
+//   [frames=N] [lamps=N] [ambient=1] [shadow=1] [budget=MIB] [fly=1] [speed=M/S] [each=1] [store=1]
 // With store the light is stored into the host's picture of one sample, with store=2 also the
 // depth; there is no composite, and "draw" is empty. With a budget the field is streamed if it does
-// not fit; fly follows the scene's moving camera there and back. The host's depth is at the far
-// plane; Sward processes it like any other. Prints one line of JSON: medians in milliseconds by
-// device timestamps, and by the clock for the CPU and whole frames.
+// not fit; fly follows the scene's moving camera there and back, speed circles over the field at
+// that speed, 3 m above the blades. The host's depth is at the far plane; Sward processes it like
+// any other. Prints one line of JSON: medians in milliseconds by device timestamps, and by the
+// clock for the CPU and whole frames; of a flight, how near blades were missing. With each, also a
+// line for each frame.
+#include "bench_flight.h"
 #include "field/read.h"
 #include "gpu/context/check.h"
 #include "gpu/device/device.h"
@@ -43,9 +46,10 @@ struct Options {
     std::string field;
     std::string scene;
     render::Geometry geometry = render::Geometry::raster;
-    std::map<std::string, int> numbers{
-        {"samples", 1}, {"instances", 1}, {"frames", 300}, {"radiance", 0}, {"lamps", 0},
-        {"ambient", 0}, {"shadow", 0},    {"budget", 0},   {"fly", 0},      {"store", 0}};
+    std::map<std::string, int> numbers{{"samples", 1},  {"instances", 1}, {"frames", 300},
+                                       {"radiance", 0}, {"lamps", 0},     {"ambient", 0},
+                                       {"shadow", 0},   {"budget", 0},    {"fly", 0},
+                                       {"store", 0},    {"speed", 0},     {"each", 0}};
 };
 
 Options optionsOf(int argc, char** argv)
@@ -240,8 +244,14 @@ void run(const Options& options)
     if (options.numbers.at("ambient") != 0)
         light.ambient = render::HostAmbient::constant(glm::vec3(0.5f));
     const bool flies = options.numbers.at("fly") != 0;
-    render::HostView view{.worldToClip =
-                              worldToClip(flies ? scene.at("moving")[0] : scene.at("camera")),
+    const int speed = options.numbers.at("speed");
+    bench::Circle circle(mapped->view(), speed);
+    const auto firstCamera = [&] {
+        if (speed > 0)
+            return circle.at(0.0);
+        return flies ? scene.at("moving")[0] : scene.at("camera");
+    };
+    render::HostView view{.worldToClip = worldToClip(firstCamera()),
                           .size = {extent.width, extent.height},
                           .samples = samples,
                           .geometry = options.geometry,
@@ -260,10 +270,13 @@ void run(const Options& options)
 
     gpu::FrameRing ring(context, slots);
     gpu::Timestamps times(context, {.slots = slots});
-    std::vector<double> recorded;
-    std::vector<double> frames; // from begin to begin
-    std::uint64_t copied = 0;
+    std::vector<double> begins;   // Grass::begin
+    std::vector<double> records;  // all that is recorded after it
+    std::vector<double> recorded; // both
+    std::vector<double> frames;   // from begin to begin, without statistics
+    bench::Flight flight;
     double lastBegin = 0.0;
+    double counting = 0.0; // time of statistics since then
     const auto begun = std::chrono::steady_clock::now();
     const auto seconds = [&] {
         return std::chrono::duration<double>(std::chrono::steady_clock::now() - begun).count();
@@ -276,12 +289,15 @@ void run(const Options& options)
             times.clearHistory();
         else
             ++counted;
-        if (flies && counted > 0)
+        if (speed > 0 && counted > 0)
+            view.worldToClip = worldToClip(circle.at(counted / 60.0));
+        else if (flies && counted > 0)
             view.worldToClip = worldToClip(cameraAt(scene.at("moving"), counted / 60.0));
         const gpu::FrameRing::Frame recording = ring.begin();
         if (counted > 1)
-            frames.push_back(1e3 * (seconds() - lastBegin));
+            frames.push_back(1e3 * (seconds() - lastBegin - counting));
         lastBegin = seconds();
+        counting = 0.0;
         VkCommandBuffer commands = recording.commands;
         times.beginFrame(commands, recording.slot);
         gpu::transition(commands, depth, gpu::ImageUse::undefined, gpu::ImageUse::depthTarget);
@@ -296,6 +312,7 @@ void run(const Options& options)
         grass.begin(
             recording.slot,
             {.time = frame / 60.0, .views = {&view, 1}, .settings = settings, .light = light});
+        const double hasBegun = seconds();
         const std::uint32_t all = times.begin(commands, "grass");
         const auto timed = [&](const char* name, const auto& record) {
             const gpu::TimedScope scope(times, context, commands, name);
@@ -320,11 +337,26 @@ void run(const Options& options)
             grass.recordDraw(commands, 0, target);
         });
         times.end(commands, all);
-        if (counted > 0) {
-            recorded.push_back(1e3 * (seconds() - before));
-            copied += grass.streamingStats().copiedBytes;
-        }
+        const double end = seconds();
         ring.submit(recording);
+        if (counted == 0)
+            continue;
+        begins.push_back(1e3 * (hasBegun - before));
+        records.push_back(1e3 * (end - hasBegun));
+        recorded.push_back(1e3 * (end - before));
+        const double atStats = seconds();
+        const render::StreamingStats stats = grass.streamingStats();
+        flight.add(stats);
+        if (options.numbers.at("each") != 0)
+            std::printf("frame %d: begin %.3f ms, record %.3f ms, copied %llu bytes, missing %llu "
+                        "of %llu pages, nearest at %.1f m, thinning %.2f, drawn %llu\n",
+                        counted, begins.back(), records.back(),
+                        static_cast<unsigned long long>(stats.copiedBytes),
+                        static_cast<unsigned long long>(stats.missingPages),
+                        static_cast<unsigned long long>(stats.wantedPages),
+                        double(stats.nearestMissing), double(stats.thinning),
+                        static_cast<unsigned long long>(grass.stats(0, recording.slot).drawn));
+        counting = seconds() - atStats;
     }
     ring.finish();
     times.collect();
@@ -338,6 +370,8 @@ void run(const Options& options)
                        {"field_bytes", lawn->deviceBytes()},
                        {"cpu_ms", gpu::statisticsOf(recorded).median},
                        {"cpu_spread_ms", spreadOf(recorded)},
+                       {"cpu_begin_spread_ms", spreadOf(begins)},
+                       {"cpu_record_spread_ms", spreadOf(records)},
                        {"frame_spread_ms", spreadOf(frames)}};
     for (const std::string& name : times.names()) {
         out["gpu_ms"][name] = times.statistics(name).median;
@@ -350,7 +384,7 @@ void run(const Options& options)
                             {"resident_pages", stats.residentPages},
                             {"wanted_pages", stats.wantedPages},
                             {"missing_pages", stats.missingPages},
-                            {"copied_bytes", copied},
+                            {"flight", flight.toJson()},
                             {"thinning", stats.thinning}};
     }
     std::puts(out.dump().c_str());
@@ -365,7 +399,7 @@ try {
         std::fputs(
             "usage: sward_host_bench FIELD.sward SCENE.json [raster|tessellation] [samples=N] "
             "[instances=N] [frames=N] [lamps=N] [ambient=1] [shadow=1] [budget=MIB] [fly=1] "
-            "[store=1]\n",
+            "[speed=M/S] [each=1] [store=1]\n",
             stderr);
         return 1;
     }
