@@ -1,6 +1,6 @@
 #include "render/streaming/page_reader.h"
 
-#include "core/mapped_file.h"
+#include "core/files/mapped_file.h"
 #include "shaders/shared/pages.h"
 
 #include <algorithm>
