@@ -53,7 +53,7 @@ double Circle::ground(glm::dvec3 place) const
 void Flight::add(const render::StreamingStats& stats)
 {
     copied_ += stats.copiedBytes;
-    mostCopied_ = std::max(mostCopied_, stats.copiedBytes);
+    maxCopied_ = std::max(maxCopied_, stats.copiedBytes);
     nearestMissing_ = std::min(nearestMissing_, double(stats.nearestMissing));
     if (std::isfinite(stats.nearestMissing))
         copiedWhileMissing_.push_back(stats.copiedBytes);
@@ -62,12 +62,12 @@ void Flight::add(const render::StreamingStats& stats)
 nlohmann::json Flight::toJson() const
 {
     const auto below = std::ranges::count_if(
-        copiedWhileMissing_, [this](std::uint64_t bytes) { return bytes < mostCopied_; });
+        copiedWhileMissing_, [this](std::uint64_t bytes) { return bytes < maxCopied_; });
     nlohmann::json json{{"copied_bytes", copied_},
-                        {"most_copied_bytes", mostCopied_},
+                        {"max_copied_bytes", maxCopied_},
                         {"nearest_missing_m", nullptr},
                         {"frames_with_missing", copiedWhileMissing_.size()},
-                        {"of_these_below_most_copied", below}};
+                        {"of_these_below_max_copied", below}};
     if (std::isfinite(nearestMissing_))
         json["nearest_missing_m"] = nearestMissing_;
     return json;

@@ -40,7 +40,7 @@ public:
 
 private:
     std::uint64_t copied_ = 0;     ///< bytes
-    std::uint64_t mostCopied_ = 0; ///< in a frame
+    std::uint64_t maxCopied_ = 0; ///< in a frame
     std::vector<std::uint64_t> copiedWhileMissing_;
     double nearestMissing_ = std::numeric_limits<double>::infinity(); ///< [m]
 };

@@ -89,7 +89,7 @@ public:
         if (thins)
             thinning_ = std::clamp(residency.thinning(), thinning_ / 1.1f, thinning_ * 1.1f);
         EXPECT_LE(residency.visited(), visits + come.size() * VisitBudget::perPage +
-                                           VisitBudget::forRanking + 2 * mostAtOnce);
+                                           VisitBudget::forRanking + 2 * maxAtOnce);
         return come;
     }
 
@@ -112,7 +112,7 @@ public:
 
 private:
     /// Children of a node and patches of a page, by which a frame may exceed its visits.
-    static constexpr std::uint32_t mostAtOnce = 16;
+    static constexpr std::uint32_t maxAtOnce = 16;
 
     bool makeRoom(const Residency::Wanted& wanted)
     {
