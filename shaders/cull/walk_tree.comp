@@ -53,14 +53,14 @@ Step stepOf(Eyepoint view, Patch cell, Subtree below, bool isLeaf)
         next.unseen = blades;
         return next;
     }
-    const bool toldOfEach = uvec2(CULL_VIEW.cullResults) != uvec2(0u);
+    const bool countsEachBlade = uvec2(CULL_VIEW.cullResults) != uvec2(0u);
     next.children = isLeaf ? 0u : cell.childCount;
-    if (next.children > 0u && !toldOfEach && thinnedBelow(view, cell, below.rankBelow)) {
+    if (next.children > 0u && !countsEachBlade && thinnedBelow(view, cell, below.rankBelow)) {
         next.children = 0u;
         next.thinned = blades - cell.bladeCount;
     }
     next.wanted = thickEnough(view, cell);
-    next.isVisible = cell.bladeCount > 0u && (next.wanted > 0u || toldOfEach);
+    next.isVisible = cell.bladeCount > 0u && (next.wanted > 0u || countsEachBlade);
     if (!next.isVisible)
         next.thinned += cell.bladeCount;
     return next;

@@ -18,7 +18,7 @@ layout(constant_id = idIsPaged) const bool isPaged = false;
 #include "shaders/raster/hidden_rectangle.glsl"
 #include "shaders/raster/note_hidden.glsl"
 #include "shaders/raster/part_rows.glsl"
-#define ASKS_PIXELS
+#define TESTS_PIXELS
 #include "shaders/raster/span.glsl"
 
 layout(local_size_x = lateThreads) in;

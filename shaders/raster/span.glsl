@@ -181,7 +181,7 @@ void drawRow(Span span, uint blade, uint seed, int row)
     for (float begin = 0.0; begin <= reach.y - reach.x;
          begin += float(pixelsTogether), first += pixelsTogether * columnStride()) {
         const float here = depth + begin * span.depth.y;
-#ifdef ASKS_PIXELS
+#ifdef TESTS_PIXELS
         // This test costs less than reading all samples of several pixels, and as much as reading one of each.
         if (samplesPerPixel > 1u) {
             const float pixels = min(float(pixelsTogether), reach.y - reach.x - begin + 1.0);

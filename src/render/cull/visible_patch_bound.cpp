@@ -77,12 +77,12 @@ void VisiblePatchBound::replace(const std::array<std::int64_t, 3>& cell,
         count(node, patch);
 }
 
-std::uint64_t VisiblePatchBound::of(const shared::Eyepoint& view, bool toldOfEach) const
+std::uint64_t VisiblePatchBound::of(const shared::Eyepoint& view, bool countsEachBlade) const
 {
     shared::Eyepoint farther = view;
     farther.drawDistance *= 1.0f + rounding;
     const bool thins =
-        !toldOfEach && (view.cullMask & shared::leaveThinned) != 0 && view.lodThreshold > 0.0f;
+        !countsEachBlade && (view.cullMask & shared::leaveThinned) != 0 && view.lodThreshold > 0.0f;
     std::uint64_t sum = 0;
     for (const Node& node : nodes_)
         sum += of(node, farther, thins);

@@ -20,9 +20,9 @@ public:
     /// Uses all levels that together have at most `nodes` nodes, or only the root.
     VisiblePatchBound(const field::FieldView& field, std::size_t nodes);
 
-    /// Upper bound for this view. Occlusion and residency are ignored. `toldOfEach`: the cull
+    /// Upper bound for this view. Occlusion and residency are ignored. `countsEachBlade`: the cull
     /// result of each blade is kept, so no node is skipped because its blades are thinned out.
-    std::uint64_t of(const shared::Eyepoint& view, bool toldOfEach) const;
+    std::uint64_t of(const shared::Eyepoint& view, bool countsEachBlade) const;
 
     /// Counts what a 32 m cell holds now. What it held before stays counted, so the bound holds.
     void replace(const std::array<std::int64_t, 3>& cell, std::span<const shared::Patch> patches);

@@ -51,7 +51,7 @@ shared::Eyepoint viewOf(const field::FieldView& field, std::uint64_t camera, boo
 
 /// Number of patches found by a walk from the root without occlusion.
 std::uint64_t visiblePatches(const field::FieldView& field, const shared::Eyepoint& view,
-                             bool toldOfEach)
+                             bool countsEachBlade)
 {
     const std::vector<shared::Subtree> subtrees = subtreesOf(field.patches);
     std::vector<bool> isReached(subtrees.size(), true);
@@ -61,12 +61,12 @@ std::uint64_t visiblePatches(const field::FieldView& field, const shared::Eyepoi
         if (p > 0) {
             const std::size_t above = cell.parent;
             isReached[p] = isReached[above] &&
-                           (toldOfEach || !shared::thinnedBelow(view, field.patches[above],
+                           (countsEachBlade || !shared::thinnedBelow(view, field.patches[above],
                                                                 subtrees[above].rankBelow));
         }
         isReached[p] = isReached[p] && !shared::patchCulled(view, cell, subtrees[p].widest);
         if (isReached[p] && cell.bladeCount > 0 &&
-            (toldOfEach || shared::thickEnough(view, cell) > 0))
+            (countsEachBlade || shared::thickEnough(view, cell) > 0))
             ++live;
     }
     return live;
@@ -84,13 +84,13 @@ TEST(VisiblePatchBoundTest, IsNeverLessThanAWalkFinds)
             const VisiblePatchBound bound(field, nodes);
             for (std::uint64_t c = 0; c < 90; ++c) {
                 const bool thins = c % 4 != 3;
-                const bool toldOfEach = c % 7 == 6;
+                const bool countsEachBlade = c % 7 == 6;
                 const shared::Eyepoint view =
                     viewOf(field, c, thins, c % 11 == 10 ? 0u : shared::cullPatch | 14u);
-                const std::uint64_t live = visiblePatches(field, view, toldOfEach);
-                EXPECT_GE(bound.of(view, toldOfEach), live)
+                const std::uint64_t live = visiblePatches(field, view, countsEachBlade);
+                EXPECT_GE(bound.of(view, countsEachBlade), live)
                     << "surface " << int(surface) << ", nodes " << nodes << ", camera " << c;
-                if (thins && !toldOfEach && nodes == allNodes)
+                if (thins && !countsEachBlade && nodes == allNodes)
                     thinned +=
                         visiblePatches(field, viewOf(field, c, false, shared::cullPatch | 14u),
                                        false) > live;
