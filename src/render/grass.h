@@ -69,16 +69,17 @@ public:
     void begin(std::uint32_t slot, const GrassFrame& frame);
 
     /// Moves each blade that any of the frame's views may see, once, after the copies of blades
-    /// that are streamed. Call once after begin(), outside of a rendering; so with recordCull().
+    /// that are streamed; those of a single view are moved by its recordCull(). Call once after
+    /// begin(), outside of a rendering; so with recordCull().
     void recordUpdate(VkCommandBuffer commands);
 
-    /// Lists the visible blades of one view. Call after recordUpdate(), and after the view's depth,
-    /// if any, has been made visible to compute shaders.
+    /// Lists the visible blades of one view. Call after recordUpdate(), and once the view's depth,
+    /// if any, is complete and visible to compute shaders: recordRaster() does not read it again.
     void recordCull(VkCommandBuffer commands, std::uint32_t view);
 
     /// Rasterises the listed blades by compute shaders, much faster than the tessellator. Call
-    /// after recordCull() of the view, outside of a rendering, once the view's depth, if any, is
-    /// complete: hidden blades are not lit. Records nothing if whyTessellated() has a reason.
+    /// after recordCull() of the view, outside of a rendering. Hidden blades are not lit. Records
+    /// nothing if whyTessellated() has a reason.
     ///
     /// Also stores the blades into the view's StoredPicture unless whyNotStored() has a reason.
     /// Waits for all commands before it; all commands after it see the grass.

@@ -273,10 +273,11 @@ void HostRaster::writeTable(Slot& slot, std::uint32_t slotIndex, std::span<const
 }
 
 void HostRaster::recordBegin(const gpu::Recording& commands, std::uint32_t slotIndex,
-                             std::uint32_t viewIndex, const gpu::ImageSet* depth) const
+                             std::uint32_t viewIndex, const gpu::ImageSet* depth)
 {
     const View& view = slots_[slotIndex].views[viewIndex];
     view.large->clear(commands);
+    clearedFor_ = viewIndex;
     commands.vk->CmdFillBuffer(commands, view.pictures.tiles->get(), 0, VK_WHOLE_SIZE, 0);
     const bool isSeeded = view.seed != nullptr && depth != nullptr;
     if (!isSeeded)
@@ -296,9 +297,15 @@ void HostRaster::recordBegin(const gpu::Recording& commands, std::uint32_t slotI
 }
 
 void HostRaster::record(const gpu::Recording& commands, std::uint32_t slotIndex,
-                        std::uint32_t viewIndex, Instances instances) const
+                        std::uint32_t viewIndex, Instances instances)
 {
     const View& view = slots_[slotIndex].views[viewIndex];
+    if (std::exchange(clearedFor_, std::nullopt) != viewIndex) {
+        // Another view was culled or rasterised since.
+        gpu::memoryBarrier(commands, gpu::anyAccess, gpu::fillAccess);
+        view.large->clear(commands);
+        gpu::memoryBarrier(commands, gpu::fillAccess, gpu::dispatchAccess);
+    }
     if (view.instances.empty())
         return;
     // Instances may have been removed after begin().

@@ -73,12 +73,12 @@ public:
     /// `depth`: the host's, as PyramidPass reads it, or null; it fills the view's own pyramid, too.
     /// Needs a barrier to fills before; records one to dispatches after.
     void recordBegin(const gpu::Recording& commands, std::uint32_t slot, std::uint32_t view,
-                     const gpu::ImageSet* depth) const;
+                     const gpu::ImageSet* depth);
 
     /// Rasterises and lights the view's lists. Needs a barrier from the cull before; records one
     /// after.
     void record(const gpu::Recording& commands, std::uint32_t slot, std::uint32_t view,
-                Instances instances) const;
+                Instances instances);
 
     /// Draws the result into the host's picture, tile by tile; `pipeline` is a BladeTarget's.
     void recordDraw(const gpu::Recording& commands, std::uint32_t slot, std::uint32_t view,
@@ -128,7 +128,8 @@ private:
     RasterPass pass_;
     std::optional<ShadingCachePass> shadingCache_; ///< made on first use; shared by all views
     std::map<std::pair<std::uint32_t, bool>, gpu::ComputePipeline> seeds_; ///< reversed: true
-    std::shared_ptr<LargeBladeList> largeList_; ///< shared by all views in sequence
+    std::shared_ptr<LargeBladeList> largeList_; ///< shared by all views in sequence …
+    std::optional<std::uint32_t> clearedFor_;   ///< … and cleared for this view, if unused since
     std::vector<Pictures> pictures_;            ///< the newest per view
     std::vector<Slot> slots_;
 };

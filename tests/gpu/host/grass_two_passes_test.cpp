@@ -161,6 +161,45 @@ TEST_F(GrassTwoPassesTest, TheTessellatorDrawsWhatBothPassesList)
     EXPECT_NEAR(double(other.covered()), covered, 0.05 * covered);
 }
 
+/// All views may be culled before the first is rasterised: they share the list of large blades.
+TEST_F(GrassTwoPassesTest, ViewsMayBeCulledFirst)
+{
+    setPasses(2);
+    const StoreCanvas canvases[]{StoreCanvas(context(), {}), StoreCanvas(context(), {})};
+    std::vector<std::byte> pictures[2][2];
+    for (const bool culledFirst : {false, true}) {
+        Grass grass(context(), likeGpu_);
+        grass.add({upload(thicket_), {}});
+        HostView views[]{viewOf(1, true), test::lookingFrom({-2.0, 1.0, 2.0})};
+        for (int i : {0, 1}) {
+            views[i].geometry = Geometry::raster;
+            views[i].stored = canvases[i].picture();
+        }
+        for (int frame = 0; frame < 2; ++frame) {
+            grass.begin(0, {.time = 1.0, .views = views, .settings = settings_});
+            gpu::submitAndWait(context(), [&](VkCommandBuffer commands) {
+                grass.recordUpdate(commands);
+                for (const StoreCanvas& canvas : canvases)
+                    canvas.recordScene(commands);
+                for (std::uint32_t view = 0; culledFirst && view < 2; ++view)
+                    grass.recordCull(commands, view);
+                for (std::uint32_t view = 0; view < 2; ++view) {
+                    if (!culledFirst)
+                        grass.recordCull(commands, view);
+                    grass.recordRaster(commands, view);
+                }
+                for (const StoreCanvas& canvas : canvases)
+                    canvas.recordEnd(commands);
+            });
+        }
+        for (int i : {0, 1})
+            pictures[culledFirst][i] = canvases[i].bytes();
+    }
+    for (int i : {0, 1})
+        EXPECT_EQ(test::pixelsApart(pictures[0][i], pictures[1][i], 1), 0u) << "view " << i;
+    EXPECT_GT(test::pixelsApart(pictures[0][0], pictures[0][1], 8), 500u) << "two views";
+}
+
 /// Two instances share a view in one pass; the history starts again when one is left.
 TEST_F(GrassTwoPassesTest, InstancesMayComeAndGo)
 {
