@@ -16,7 +16,7 @@ class VisibilityHistory {
 public:
     VisibilityHistory() = default; ///< none: there is one pass
 
-    /// Of `blades` places of blades, initially empty.
+    /// Of blades with indices below `blades` (BakedBlades::indexCount()), initially empty.
     VisibilityHistory(const gpu::DeviceContext& context, std::uint32_t blades);
 
     VkDeviceAddress address() const { return bits_.address(); } ///< 0: none
@@ -25,7 +25,7 @@ public:
     /// Begins a frame. Clears a new history; a transfer.
     void begin(const gpu::Recording& commands);
 
-    /// Makes room for more blades; the history is empty then. Returns the former buffer.
+    /// Makes room for larger indices; the history is empty then. Returns the former buffer.
     gpu::Buffer grow(const gpu::DeviceContext& context, std::uint32_t blades);
     bool hasRoomFor(std::uint32_t blades) const; ///< also if there is no history
 

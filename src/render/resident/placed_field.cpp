@@ -173,8 +173,8 @@ void PlacedField::write(std::uint32_t slot, const GrassFrame& frame, std::uint32
 
 void PlacedField::expectHistory(std::uint32_t view)
 {
-    if (histories_[view].address() == 0 && blades().placeCount() > 0)
-        histories_[view] = VisibilityHistory(*context_, blades().placeCount());
+    if (histories_[view].address() == 0 && blades().indexCount() > 0)
+        histories_[view] = VisibilityHistory(*context_, blades().indexCount());
 }
 
 /// Makes room for what edits have added to its field.
@@ -186,9 +186,9 @@ void PlacedField::followEdits()
     for (VisibleBlades& list : lists_)
         list.update(*context_, blades(), replaced_.waiting());
     for (VisibilityHistory& history : histories_)
-        if (!history.hasRoomFor(blades().placeCount()))
+        if (!history.hasRoomFor(blades().indexCount()))
             replaced_.waiting().push_back(
-                {history.grow(*context_, blades().placeCount()), VK_NULL_HANDLE});
+                {history.grow(*context_, blades().indexCount()), VK_NULL_HANDLE});
 }
 
 void PlacedField::recordReplaced(const gpu::Recording& commands, std::uint32_t slot)

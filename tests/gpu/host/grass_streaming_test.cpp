@@ -433,5 +433,32 @@ TEST_F(GrassStreamingTest, SaysWhatItNeeds)
     EXPECT_THROW(grass.add({lawn, here}), Error) << "the budget is for two frames in flight";
 }
 
+/// The visibility history is by resident id: it has room for all blades of the field, not only for
+/// those in memory.
+TEST_F(GrassStreamingTest, TwoPassesHaveAHistoryOfAllBlades)
+{
+    if (!context().features.bufferInt64Atomics)
+        GTEST_SKIP() << "the device has no 64-bit atomics";
+    const HostPicture pictures[]{HostPicture(context(), {}), HostPicture(context(), {})};
+    const HostView view = atCorner(Geometry::raster);
+    settings_.winds.clear();
+    rasters_ = true;
+    VkDeviceSize bytes[2]{};
+    for (const int passes : {1, 2}) {
+        settings_.cullMask =
+            passes == 2 ? settings_.cullMask | cullOcclusion : settings_.cullMask & ~cullOcclusion;
+        Grass grass(context(), {.framesInFlight = 1, .rastersForCpu = false});
+        grass.add({uploaded(budgetFor(0.4, {.framesInFlight = 1})), {}});
+        const HostPicture* const shown[]{&pictures[passes - 1]};
+        settle(grass, {&view, 1}, shown);
+        draw(grass, {&view, 1}, shown);
+        bytes[passes - 1] = grass.deviceBytes();
+    }
+    EXPECT_EQ(test::pixelsApart(pictures[0].pixels(), pictures[1].pixels(), 1), 0u);
+    // Four bits a blade. The depth pyramid adds its cells.
+    EXPECT_GE(bytes[1] - bytes[0], meadow().blades.size() / 2);
+    EXPECT_LT(bytes[1] - bytes[0], meadow().blades.size() / 2 + 8 * pixelCount);
+}
+
 } // namespace
 } // namespace sward::render
