@@ -4,11 +4,15 @@
 #include "core/error.h"
 #include "gpu/context/context.h"
 #include "render/access.h"
+#include "render/frame/frame.h"
+#include "render/frame/wind.h"
 #include "render/grass_parts.h"
 #include "render/host/host_checks.h"
+#include "shaders/shared/environment.h"
 #include "shaders/shared/passes.h"
 
 #include <algorithm>
+#include <optional>
 #include <utility>
 #include <vector>
 
@@ -33,10 +37,73 @@ void requireSlot(const Grass::Settings& settings, std::uint32_t slot)
                  settings.framesInFlight);
 }
 
+/// How blades are moved in frames like this one, of any field and without wind.
+UpdateCullPass::Variant movingLike(const GrassFrame& frame, const Grass::Settings& settings,
+                                   bool testsSmall)
+{
+    using Role = UpdateCullPass::Role;
+    UpdateCullPass::Variant moving{.role = Role::move, .keepsBefore = settings.keepsMotion};
+    if (frame.views.size() != 1)
+        return moving;
+    shared::Eyepoint tests = testsOf(frame.settings);
+    if (isParallel(frame.views.front().worldToClip))
+        tests.cullMask &= ~shared::cullDistance;
+    moving.role = Role::moveAndCull;
+    moving.testsSmall = testsSmall;
+    moving.features = shared::featuresOf(tests, false, false, false);
+    return moving;
+}
+
+/// The same of a field.
+UpdateCullPass::Variant movingIn(UpdateCullPass::Variant moving, const BakedBlades& blades)
+{
+    if (blades.hasOrgans())
+        moving.features |= shared::featureOrgans;
+    // Streaming thins out what is not in memory.
+    if (blades.isPaged())
+        moving.features |= shared::featurePages | shared::featureThinning;
+    return moving;
+}
+
+/// Prepares frames with and without colliders, if this one has some. Instances keep their collision
+/// state afterwards.
+void prepareMoves(UpdateCullPass& pass, const gpu::ShaderLibrary& shaders, const GrassFrame& frame,
+                  const UpdateCullPass::Variant& moving, const BakedBlades& blades)
+{
+    UpdateCullPass::Variant variant = movingIn(moving, blades);
+    variant.windCounts = together(blowing(frame.settings.winds, glm::dvec3(0.0)), 1.0f).counts;
+    variant.keepsEtas = blades.isPaged();
+    pass.prepare(shaders, variant);
+    if (frame.colliders.empty())
+        return;
+    variant.keepsEtas = true;
+    pass.prepare(shaders, variant);
+    variant.hasColliders = true;
+    pass.prepare(shaders, variant);
+}
+
+/// Whether a view's depth hides blades: it does not apply to a frozen camera.
+bool readsDepth(const HostView& view, const FrameSettings& settings)
+{
+    return (settings.cullMask & shared::cullOcclusion) != 0 && view.depth && !view.cullViewFrom;
+}
+
+/// What makes a view's depth pyramid; unset: it has none. `isOwn`: see ViewDepth.
+std::optional<PyramidPass::Settings> pyramidOf(const HostView& view, const FrameSettings& settings,
+                                               bool isOwn)
+{
+    if (readsDepth(view, settings))
+        return PyramidPass::Settings{view.depth->samples, view.hasReversedZ, view.depth->slack};
+    if (isOwn)
+        return PyramidPass::Settings{};
+    return std::nullopt;
+}
+
 } // namespace
 
 Grass::Parts::Parts(const gpu::DeviceContext& deviceContext, const Settings& wanted)
-    : context(contextForGrass(deviceContext, wanted))
+    : sharing(contextForGrass(deviceContext, wanted))
+    , context(sharing.context)
     , settings(wanted)
     , shaders(embedded::shaders())
     , walk(context, shaders)
@@ -46,7 +113,8 @@ Grass::Parts::Parts(const gpu::DeviceContext& deviceContext, const Settings& wan
              {.slots = wanted.framesInFlight,
               .maxViews = wanted.maxViews,
               .keepsMotion = wanted.keepsMotion,
-              .groupsDrawLarge = !wanted.rastersForCpu.value_or(context.isCpu())})
+              .groupsDrawLarge = !wanted.rastersForCpu.value_or(context.isCpu()),
+              .limitsLists = wanted.maxListed < Settings{}.maxListed})
     , frameOfSlot(wanted.framesInFlight, 0)
     , depths(wanted.framesInFlight * wanted.maxViews)
 {
@@ -149,27 +217,45 @@ void Grass::begin(std::uint32_t slot, const GrassFrame& frame)
     parts.shadowMaps.begin(slot, frame.light, frame.views);
     parts.raster.begin(parts.shaders, slot, frame.views, parts.instances, frame.settings);
     parts.movesWithCull = viewCount == 1;
+    parts.moving = movingLike(frame, parts.settings, parts.raster.drawsLargeByGroups());
     for (const PlacedField* const field : uploaded)
         parts.update.prepare(parts.shaders, parts.movingOf(*field));
     parts.viewCount = viewCount;
     parts.hasBegun = true;
 }
 
+void Grass::prepare(const GrassFrame& frame, const PreparedFields& fields) const
+{
+    const Parts& parts = *parts_;
+    requireValid(frame, parts.settings);
+    requireUsage(!fields.fields.empty(), "PreparedFields::fields is empty");
+    for (const ResidentField* field : fields.fields) {
+        requireUsage(field != nullptr, "a field of PreparedFields::fields is null");
+        parts.requireDevice(Access::of(*field));
+    }
+    // Passes of this call alone: their pipelines stay among the shared objects, where those of the
+    // grass find them. So no lock is held while one is compiled.
+    UpdateCullPass update(parts.context);
+    const UpdateCullPass::Variant moving =
+        movingLike(frame, parts.settings, parts.raster.drawsLargeByGroups());
+    for (const ResidentField* field : fields.fields)
+        prepareMoves(update, parts.shaders, frame, moving, Access::of(*field).blades);
+    for (const HostView& view : frame.views) {
+        const bool isOwn = parts.raster.obstacle(view, {}) == nullptr &&
+                           HostRaster::hasOwnPyramid(view, frame.settings);
+        if (const auto wanted = pyramidOf(view, frame.settings, isOwn))
+            PyramidPass(parts.context, parts.shaders, *wanted);
+    }
+    parts.raster.preparePipelines(parts.shaders, frame, fields);
+}
+
 UpdateCullPass::Variant Grass::Parts::movingOf(const PlacedField& field) const
 {
-    using Role = UpdateCullPass::Role;
     const shared::Environment& environment = field.environment();
-    UpdateCullPass::Variant variant{.windCounts = environment.wind.counts,
-                                    .hasColliders = environment.colliderCount > 0,
-                                    .role = movesWithCull ? Role::moveAndCull : Role::move,
-                                    .keepsBefore = settings.keepsMotion,
-                                    .keepsEtas = field.states().hasEtas()};
-    if (movesWithCull) {
-        variant.testsSmall = raster.drawsLargeByGroups();
-        // Streaming thins out what is not in memory.
-        variant.features =
-            field.features() | (field.blades().isPaged() ? shared::featureThinning : 0u);
-    }
+    UpdateCullPass::Variant variant = movingIn(moving, field.blades());
+    variant.windCounts = environment.wind.counts;
+    variant.hasColliders = environment.colliderCount > 0;
+    variant.keepsEtas = field.states().hasEtas();
     return variant;
 }
 
@@ -194,12 +280,17 @@ PlacedField& Grass::Parts::instance(InstanceId id) const
     return *found->second;
 }
 
+void Grass::Parts::requireDevice(const ResidentField::Parts& field) const
+{
+    requireUsage(field.context.device == context.device,
+                 "the field is on another device than the grass");
+}
+
 /// The field is on the same device. A streamed field holds what the views of one Grass see, in
 /// slots of its own; so does an editable one with the edits that one Grass records.
 void Grass::Parts::take(const ResidentField::Parts& field) const
 {
-    requireUsage(field.context.device == context.device,
-                 "the field is on another device than the grass");
+    requireDevice(field);
     if (field.streaming == nullptr && field.edits == nullptr)
         return;
     const char* const kind = field.streaming ? "streamed" : "editable";
@@ -218,20 +309,14 @@ ViewPyramids Grass::Parts::lookAtDepth(const HostView& view, const ViewDrawing& 
     depth.pyramid = nullptr;
     depth.isOwn = drawing.obstacle == nullptr && HostRaster::hasOwnPyramid(view, frameSettings) &&
                   (view.depth || drawing.hasTwoPasses);
-    const bool hides = (frameSettings.cullMask & shared::cullOcclusion) != 0;
-    // The view's depth does not apply to a frozen camera.
-    const bool readsDepth = hides && view.depth && !view.cullViewFrom;
-    if (!readsDepth && !depth.isOwn)
+    const std::optional<PyramidPass::Settings> wanted = pyramidOf(view, frameSettings, depth.isOwn);
+    if (!wanted)
         return {};
-    const PyramidPass::Settings wanted =
-        readsDepth
-            ? PyramidPass::Settings{view.depth->samples, view.hasReversedZ, view.depth->slack}
-            : PyramidPass::Settings{};
     PyramidPass& pass = pyramids
-                            .try_emplace({wanted.samples, wanted.hasReversedZ, wanted.slack},
-                                         context, shaders, wanted)
+                            .try_emplace({wanted->samples, wanted->hasReversedZ, wanted->slack},
+                                         context, shaders, *wanted)
                             .first->second;
-    if (!readsDepth) {
+    if (!readsDepth(view, frameSettings)) {
         pass.fit(depth.cells, view.size);
         return {.raster = depth.cells.layout};
     }

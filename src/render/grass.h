@@ -12,10 +12,6 @@
 #include <memory>
 #include <optional>
 
-namespace sward::field {
-struct Delta;
-} // namespace sward::field
-
 namespace sward::render {
 
 /// A field placed in the host's world, with its own animated blades.
@@ -62,6 +58,10 @@ public:
     /// damaged or of a field with another origin. After Error{runtime}, for lack of memory, the
     /// field must not be drawn any more.
     void edit(ResidentField& field, const field::Delta& delta);
+
+    /// Compiles ahead what begin() compiles for frames like this one, with instances of `fields`.
+    /// On any thread, beside all other calls. Throws as begin() does. docs/engine.md
+    void prepare(const GrassFrame& frame, const PreparedFields& fields) const;
 
     /// Begins a frame in `slot`, whose former commands have completed: writes the frame's constants
     /// and creates objects on first use. Records nothing. Throws as add() does; after Error{usage}

@@ -10,6 +10,8 @@
 
 namespace sward::render {
 
+class ResidentField;
+
 /// A capsule that pushes blades aside, or a ball if both ends coincide. World space.
 struct HostCollider {
     glm::dvec3 from{0.0};     ///< [m]
@@ -31,6 +33,13 @@ struct GrassFrame {
     const FrameSettings& settings;
     std::span<const HostCollider> colliders{}; ///< at most maxColliders
     HostLight light{};                         ///< the host's ambient light and lamps on blades
+};
+
+/// Instances that frames may have, for Grass::prepare().
+struct PreparedFields {
+    std::span<const ResidentField* const> fields{}; ///< of which there are instances; at least one
+    bool one = true;                                ///< frames of a single instance
+    bool several = true;                            ///< frames of two and more
 };
 
 } // namespace sward::render

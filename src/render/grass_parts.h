@@ -1,6 +1,7 @@
 #pragma once
 
 #include "gpu/pipeline/shader_library.h"
+#include "gpu/pipeline/sharing_context.h"
 #include "gpu/recording/recording.h"
 #include "render/cull/pyramid_pass.h"
 #include "render/cull/update_cull_pass.h"
@@ -37,6 +38,7 @@ struct Grass::Parts {
     /// recordCull() of the only view.
     UpdateCullPass::Variant movingOf(const PlacedField& field) const;
 
+    gpu::SharingContext sharing; ///< prepare() makes pipelines on any thread
     const gpu::DeviceContext& context;
     Settings settings;
     gpu::ShaderLibrary shaders;
@@ -56,8 +58,9 @@ struct Grass::Parts {
     std::uint32_t slot = 0;
     std::uint32_t viewCount = 0;
     bool hasBegun = false;
-    bool isUpdated = false;     ///< recordUpdate() has been called
-    bool movesWithCull = false; ///< of one view: recordCull() moves the blades, too
+    bool isUpdated = false;         ///< recordUpdate() has been called
+    bool movesWithCull = false;     ///< of one view: recordCull() moves the blades, too
+    UpdateCullPass::Variant moving; ///< of any instance: movingOf() adds what depends on it
     double time = 0.0;
     std::vector<const PlacedField*> instances; ///< with blades; null: removed since begin()
 
@@ -93,6 +96,7 @@ struct Grass::Parts {
     ViewPyramids lookAtDepth(const HostView& view, const ViewDrawing& drawing,
                              const FrameSettings& settings, ViewDepth& depth);
 
+    void requireDevice(const ResidentField::Parts& field) const;
     void take(const ResidentField::Parts& field) const;
     void recordEdits(const gpu::Recording& commands) const;
 

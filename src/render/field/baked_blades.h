@@ -42,8 +42,9 @@ public:
     std::uint32_t placeCount() const { return placeCount_; } ///< of blades in memory
     /// Of blades for shaders: those of the file, or with edits places in memory.
     std::uint32_t indexCount() const { return isEditable_ ? placeCount_ : bladeCount_; }
-    bool isPaged() const { return pages_.address() != 0; }   ///< false: all blades are resident
-    std::uint32_t patchCount() const { return patchCount_; } ///< with those that edits left free
+    bool isPaged() const { return pages_.address() != 0; }    ///< false: all blades are resident
+    bool hasOrgans() const { return organs_.address() != 0; } ///< there are compound plants
+    std::uint32_t patchCount() const { return patchCount_; }  ///< with those that edits left free
     std::uint32_t nonEmptyPatchCount() const { return nonEmptyPatchCount_; } ///< non-empty patches
     std::uint32_t entryCount() const { return entryCount_; } ///< of nonEmptyPatches()
     bool isEditable() const { return isEditable_; }

@@ -160,12 +160,25 @@ void look(shared::Frame& frame, const ViewMatrices& view)
     frame.view.pixelsPerUnit = view.pixelsPerUnit;
 }
 
+shared::Eyepoint testsOf(const FrameSettings& settings)
+{
+    shared::Eyepoint view = {};
+    view.cullMask = settings.cullMask | (settings.leavesThinned ? shared::leaveThinned : 0u);
+    view.drawDistance = settings.environment.drawDistance;
+    view.lodThreshold = settings.levelOfDetail ? settings.lodThreshold : 0.0f;
+    view.buckets = static_cast<float>(settings.buckets.count);
+    view.bucketDistance = settings.buckets.distance;
+    view.maxLeafArea = settings.levelOfDetail ? settings.maxLeafArea : 0.0f;
+    return view;
+}
+
 shared::Frame frameOf(const FieldShape& field, const ViewMatrices& view,
                       const FrameSettings& settings, double time, std::uint32_t samples)
 {
     shared::Frame frame = {};
 
     // The camera.
+    frame.view = testsOf(settings);
     look(frame, view);
 
     // Environment.
@@ -174,17 +187,11 @@ shared::Frame frameOf(const FieldShape& field, const ViewMatrices& view,
     frame.environment.recovery = settings.environment.recovery;
 
     // Culling.
-    frame.view.cullMask = settings.cullMask | (settings.leavesThinned ? shared::leaveThinned : 0u);
-    frame.view.drawDistance = settings.environment.drawDistance;
-    frame.view.lodThreshold = settings.levelOfDetail ? settings.lodThreshold : 0.0f;
     frame.view.lodWidth = field.blade.width;
-    frame.view.buckets = static_cast<float>(settings.buckets.count);
-    frame.view.bucketDistance = settings.buckets.distance;
     frame.view.minWidth =
         settings.levelOfDetail && view.pixelsPerUnit > 0.0f
             ? settings.minPixels / (view.pixelsPerUnit * std::sqrt(static_cast<float>(samples)))
             : 0.0f;
-    frame.view.maxLeafArea = settings.levelOfDetail ? settings.maxLeafArea : 0.0f;
     frame.view.maxEdgeOn =
         settings.maxEdgeOn.value_or(frame.view.minWidth > 0.0f ? 1.0f : shared::paperEdgeOnCosine);
     frame.maxTessellation = defaultMaxSegments;

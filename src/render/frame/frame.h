@@ -25,6 +25,9 @@ void project(shared::Frame& frame, const glm::mat4& viewProjection, glm::vec3 ey
 /// Writes a camera into a frame.
 void look(shared::Frame& frame, const ViewMatrices& view);
 
+/// The culling tests and the level of detail of a view, so far as the settings tell them.
+shared::Eyepoint testsOf(const FrameSettings& settings);
+
 /// Camera, settings and time in shader form. FieldBuffers::describe() and FrameTables::write() add
 /// the addresses and counts of buffers.
 shared::Frame frameOf(const FieldShape& field, const ViewMatrices& view,

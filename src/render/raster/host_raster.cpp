@@ -1,15 +1,14 @@
 #include "render/raster/host_raster.h"
 
 #include "gpu/recording/barrier.h"
-#include "render/frame/shader_names.h"
+#include "render/access.h"
+#include "render/host/host_shadow_maps.h"
 #include "render/raster/raster_rounds.h"
 #include "render/resident/placed_field.h"
-#include "render/resolve/target_settings.h"
-#include "shaders/shared/constants.h"
+#include "render/resident/resident_parts.h"
 
 #include <algorithm>
-#include <cstring>
-#include <utility>
+#include <map>
 
 namespace sward::render {
 namespace {
@@ -36,17 +35,23 @@ std::uint32_t tileCount(glm::uvec2 size)
            shared::tilesAlong(size.y, shared::hostTile);
 }
 
+RasterPass::Variant variantOf(const HostView& view, const ResidentField& field,
+                              bool groupsDrawLarge)
+{
+    return {.samples = view.samples,
+            .isPaged = Access::of(field).blades.isPaged(),
+            .groupsDrawLarge = groupsDrawLarge,
+            .looks = Access::of(field).looks};
+}
+
 } // namespace
 
 HostRaster::HostRaster(const gpu::DeviceContext& context, const HostShadowMaps& shadowMaps,
                        const Settings& settings)
     : context_(&context)
+    , shadowMaps_(&shadowMaps)
     , settings_(settings)
-    , lighting_(context, shadowMaps, settings.slots, settings.maxViews)
-    , imageLayout_(
-          context,
-          {.name = "host raster/depth", .sampledCount = 1, .stages = VK_SHADER_STAGE_COMPUTE_BIT})
-    , pass_(context)
+    , passes_(context, shadowMaps, settings.slots, settings.maxViews)
     , pictures_(settings.maxViews)
     , slots_(settings.slots)
 {
@@ -106,31 +111,43 @@ bool HostRaster::hasTwoPasses(const HostView& view, Instances instances,
            instances.front()->listsHoldAll() && hasOwnPyramid(view, settings);
 }
 
-gpu::ComputePipeline HostRaster::seedFor(const gpu::ShaderLibrary& shaders, std::uint32_t samples,
-                                         bool hasReversedZ) const
+void HostRaster::preparePipelines(const gpu::ShaderLibrary& shaders, const GrassFrame& frame,
+                                  const PreparedFields& fields) const
 {
-    return {*context_,
-            shaders,
-            {.name = "host raster/seed",
-             .shader = samples > 1 ? shader::seedVisibilityOfSeveral : shader::seedVisibility,
-             .pushConstantBytes = sizeof(shared::HostViewPush),
-             .setLayouts = {imageLayout_.get()},
-             .constants = {{.id = shared::idSamplesPerPixel, .value = samples},
-                           {.id = shared::idHasForwardZ, .value = hasReversedZ ? 0u : 1u}}}};
+    HostPasses passes(*context_, *shadowMaps_, 1, 1);
+    for (const HostView& view : frame.views) {
+        if (obstacle(view, {}) != nullptr)
+            continue;
+        std::vector<RasterPass::Variant> variants;
+        for (const ResidentField* field : fields.fields)
+            variants.push_back(variantOf(view, *field, settings_.groupsDrawLarge));
+        HostPasses::Kind kind{.settings = frame.settings,
+                              .isLit = isLitByHost(frame.light, view),
+                              .stores = storeObstacle(view, {}, frame.settings) == nullptr};
+        if (fields.several) {
+            std::vector<RasterPass::Variant> several = variants;
+            several.push_back(several.front());
+            kind.instances = several;
+            passes.prepare(shaders, view, kind);
+        }
+        if (!fields.one)
+            continue;
+        const bool mayHaveTwo = settings_.groupsDrawLarge && hasOwnPyramid(view, frame.settings);
+        for (const RasterPass::Variant& variant : variants) {
+            kind.instances = {&variant, 1};
+            kind.hasTwoPasses = mayHaveTwo;
+            passes.prepare(shaders, view, kind);
+            // Lists without room for all blades have a single pass.
+            kind.hasTwoPasses = false;
+            if (mayHaveTwo && settings_.limitsLists)
+                passes.prepare(shaders, view, kind);
+        }
+    }
 }
 
-void HostRaster::prepare(const gpu::ShaderLibrary& shaders, const HostView& view,
-                         std::uint32_t index, View& out)
+void HostRaster::prepare(const HostView& view, std::uint32_t index, View& out)
 {
     out.isRastered = true;
-    out.samples = view.samples;
-    // Depth with another number of samples does not match the view's samples.
-    if (view.depth && view.depth->samples == view.samples) {
-        const std::pair wanted{view.samples, view.hasReversedZ};
-        if (!seeds_.contains(wanted))
-            seeds_.emplace(wanted, seedFor(shaders, view.samples, view.hasReversedZ));
-        out.seed = &seeds_.at(wanted);
-    }
     if (!largeList_)
         largeList_ = std::make_shared<LargeBladeList>(*context_, settings_.groupsDrawLarge);
     out.large = largeList_;
@@ -153,32 +170,27 @@ void HostRaster::prepare(const gpu::ShaderLibrary& shaders, const HostView& view
                 .firstStored = view.stored ? view.stored->first : glm::uvec2(0)};
 }
 
-/// Makes what rasterises and lights a view whose instances are known.
+/// Makes what rasterises and lights a view of at least one instance.
 void HostRaster::prepareShading(const gpu::ShaderLibrary& shaders, std::uint32_t slotIndex,
                                 std::uint32_t index, const HostView& view, Instances instances,
                                 const FrameSettings& settings)
 {
     View& out = slots_[slotIndex].views[index];
-    const bool isOfOne = instances.size() == 1;
-    HostLighting::Settings lighting{.debugMode = knownDebugMode(settings.debug),
-                                    .isOfOne = isOfOne};
-    if (isOfOne) {
-        lighting.looks = instances.front()->looks();
-        lighting.limitsLeafArea = settings.levelOfDetail && settings.maxLeafArea > 0.0f;
-        lighting.hasShadingCache = out.hasTwoPasses;
-    }
-    if (out.hasTwoPasses) {
-        if (!shadingCache_)
-            shadingCache_.emplace(*context_);
-        out.cache =
-            &shadingCache_->prepare(shaders, {.samples = view.samples,
-                                              .shading = {.debugMode = lighting.debugMode,
-                                                          .limitsLeafArea = lighting.limitsLeafArea,
-                                                          .hasShadingCache = true},
-                                              .looks = lighting.looks});
-    }
+    out.hasTwoPasses = hasTwoPasses(view, instances, settings);
+    if (out.hasTwoPasses && !shadingCache_)
+        shadingCache_.emplace(*context_);
+    std::vector<RasterPass::Variant> variants;
+    for (const PlacedField* instance : instances)
+        variants.push_back(variantOf(view, instance->field(), settings_.groupsDrawLarge));
     const bool stores = storeObstacle(view, instances, settings) == nullptr;
-    out.lighting = lighting_.prepare(shaders, slotIndex, index, view, stores, lighting);
+    out.pipelines = passes_.prepare(shaders, view,
+                                    {.instances = variants,
+                                     .settings = settings,
+                                     .hasTwoPasses = out.hasTwoPasses,
+                                     .isLit = shadowMaps_->isLit(slotIndex, index),
+                                     .stores = stores});
+    out.lighting =
+        passes_.lighting().prepare(slotIndex, index, view, stores, *out.pipelines.lighting);
 }
 
 void HostRaster::begin(const gpu::ShaderLibrary& shaders, std::uint32_t slotIndex,
@@ -190,9 +202,9 @@ void HostRaster::begin(const gpu::ShaderLibrary& shaders, std::uint32_t slotInde
     bool rasters = false;
     for (std::uint32_t i = 0; i < slot.views.size(); ++i) {
         if (i < views.size() && obstacle(views[i], instances) == nullptr) {
-            prepare(shaders, views[i], i, slot.views[i]);
-            slot.views[i].hasTwoPasses = hasTwoPasses(views[i], instances, settings);
-            prepareShading(shaders, slotIndex, i, views[i], instances, settings);
+            prepare(views[i], i, slot.views[i]);
+            if (!instances.empty())
+                prepareShading(shaders, slotIndex, i, views[i], instances, settings);
             rasters = true;
         } else {
             pictures_[i] = {};
@@ -205,9 +217,6 @@ void HostRaster::begin(const gpu::ShaderLibrary& shaders, std::uint32_t slotInde
         return;
     }
     writeTable(slot, slotIndex, views, instances);
-    for (const View& view : slot.views)
-        if (view.isRastered)
-            pass_.prepare(shaders, viewOf(view), view.hasTwoPasses);
 }
 
 RasterPass::View HostRaster::viewOf(const View& view)
@@ -251,7 +260,7 @@ void HostRaster::writeTable(Slot& slot, std::uint32_t slotIndex, std::span<const
             view.large->describe(entry.raster);
             if (view.hasTwoPasses)
                 entry.raster.history = field.history(v).address();
-            if (view.cache != nullptr)
+            if (view.pipelines.cache != nullptr)
                 shadingCache_->describe(entry.raster);
             entry.raster.nonEmptyPatches = field.blades().nonEmptyPatches();
             entry.raster.firstNonEmptyPatches = field.blades().firstNonEmptyPatches();
@@ -260,13 +269,11 @@ void HostRaster::writeTable(Slot& slot, std::uint32_t slotIndex, std::span<const
             entry.raster.instance = i;
             entry.motion = field.motion(slotIndex, v);
             table[first + i] = entry;
-            view.instances.push_back({.frame = field.rasterFrame(slotIndex, v),
-                                      .list = &field.list(v),
-                                      .variant = {.samples = views[v].samples,
-                                                  .isPaged = field.blades().isPaged(),
-                                                  .groupsDrawLarge = settings_.groupsDrawLarge,
-                                                  .looks = field.looks()},
-                                      .push = entry.raster});
+            view.instances.push_back(
+                {.frame = field.rasterFrame(slotIndex, v),
+                 .list = &field.list(v),
+                 .variant = variantOf(views[v], field.field(), settings_.groupsDrawLarge),
+                 .push = entry.raster});
             id += field.blades().indexCount();
         }
     }
@@ -279,15 +286,16 @@ void HostRaster::recordBegin(const gpu::Recording& commands, std::uint32_t slotI
     view.large->clear(commands);
     clearedFor_ = viewIndex;
     commands.vk->CmdFillBuffer(commands, view.pictures.tiles->get(), 0, VK_WHOLE_SIZE, 0);
-    const bool isSeeded = view.seed != nullptr && depth != nullptr;
+    const gpu::ComputePipeline* const seed = view.pipelines.seed;
+    const bool isSeeded = seed != nullptr && depth != nullptr;
     if (!isSeeded)
         commands.vk->CmdFillBuffer(commands, view.pictures.visibility->get(), 0, VK_WHOLE_SIZE, 0);
     gpu::memoryBarrier(commands, gpu::fillAccess, gpu::dispatchAccess);
     if (!isSeeded)
         return;
-    view.seed->bind(commands);
-    depth->bind(commands, VK_PIPELINE_BIND_POINT_COMPUTE, view.seed->layout());
-    view.seed->push(commands, view.push);
+    seed->bind(commands);
+    depth->bind(commands, VK_PIPELINE_BIND_POINT_COMPUTE, seed->layout());
+    seed->push(commands, view.push);
     const auto groups = [](std::uint32_t pixels) {
         return static_cast<std::uint32_t>(
             gpu::groupsFor(shared::pyramidCells(pixels, 0), shared::pyramidThreads));
@@ -318,10 +326,10 @@ void HostRaster::record(const gpu::Recording& commands, std::uint32_t slotIndex,
     const bool isOfOne = present.size() == 1;
     if (!isOfOne || present.front().list != nullptr) {
         RasterRounds{.context = *context_,
-                     .pass = pass_,
+                     .pass = passes_.raster(),
                      .view = rastered,
                      .hasTwoPasses = view.hasTwoPasses,
-                     .shadingCache = view.cache}
+                     .shadingCache = view.pipelines.cache}
             .record(commands, nullptr);
         gpu::computeToCompute(commands);
         HostLighting::record(commands, view.lighting, isOfOne ? &present.front().frame : nullptr,

@@ -2,28 +2,25 @@
 
 #include "gpu/context/context.h"
 #include "gpu/memory/buffer.h"
-#include "gpu/pipeline/compute_pipeline.h"
 #include "gpu/pipeline/graphics_pipeline.h"
 #include "gpu/pipeline/image_set.h"
 #include "gpu/pipeline/shader_library.h"
-#include "gpu/pipeline/uniform_sets.h"
 #include "gpu/recording/recording.h"
 #include "render/frame/frame_settings.h"
+#include "render/grass_frame.h"
 #include "render/host/host_view.h"
+#include "render/raster/host_passes.h"
 #include "render/raster/large_blade_list.h"
 #include "render/raster/raster_pass.h"
-#include "render/resolve/host_lighting.h"
-#include "render/resolve/shading_cache_pass.h"
+#include "render/resolve/shading_cache.h"
 #include "shaders/shared/passes.h"
 
 #include <vulkan/vulkan.h>
 
 #include <cstdint>
-#include <map>
 #include <memory>
 #include <optional>
 #include <span>
-#include <utility>
 #include <vector>
 
 namespace sward::render {
@@ -42,6 +39,7 @@ public:
         std::uint32_t slots = 1, maxViews = 1;
         bool keepsMotion = false;
         bool groupsDrawLarge = true; ///< see RasterPass::Variant
+        bool limitsLists = false;    ///< a view's list may have less room than the field has blades
     };
 
     HostRaster(const gpu::DeviceContext& context, const HostShadowMaps& shadowMaps,
@@ -68,6 +66,10 @@ public:
     /// Begins a frame in a completed `slot`, after its HostShadowMaps; makes objects on first use.
     void begin(const gpu::ShaderLibrary& shaders, std::uint32_t slot,
                std::span<const HostView> views, Instances instances, const FrameSettings& settings);
+
+    /// Makes the pipelines that begin() needs for views of frames like this one. On any thread.
+    void preparePipelines(const gpu::ShaderLibrary& shaders, const GrassFrame& frame,
+                          const PreparedFields& fields) const;
 
     /// Fills the visibility with the host's depth, and clears lists: before the view is culled.
     /// `depth`: the host's, as PyramidPass reads it, or null; it fills the view's own pyramid, too.
@@ -96,12 +98,10 @@ private:
     struct View {
         bool isRastered = false;
         bool hasTwoPasses = false;
-        std::uint32_t samples = 1;
         Pictures pictures;
         std::shared_ptr<LargeBladeList> large;
+        HostPasses::Pipelines pipelines;
         HostLighting::View lighting;
-        const gpu::ComputePipeline* seed = nullptr;  ///< null: the visibility starts cleared
-        const gpu::ComputePipeline* cache = nullptr; ///< of the shading cache; null: none
         shared::HostViewPush push = {};
         std::vector<RasterPass::Instance> instances;
     };
@@ -111,10 +111,7 @@ private:
         std::vector<View> views;
     };
 
-    gpu::ComputePipeline seedFor(const gpu::ShaderLibrary& shaders, std::uint32_t samples,
-                                 bool hasReversedZ) const;
-    void prepare(const gpu::ShaderLibrary& shaders, const HostView& view, std::uint32_t index,
-                 View& out);
+    void prepare(const HostView& view, std::uint32_t index, View& out);
     void prepareShading(const gpu::ShaderLibrary& shaders, std::uint32_t slot, std::uint32_t index,
                         const HostView& view, Instances instances, const FrameSettings& settings);
     void writeTable(Slot& slot, std::uint32_t slotIndex, std::span<const HostView> views,
@@ -122,12 +119,10 @@ private:
     static RasterPass::View viewOf(const View& view);
 
     const gpu::DeviceContext* context_;
+    const HostShadowMaps* shadowMaps_;
     Settings settings_;
-    HostLighting lighting_;
-    gpu::ImageSetLayout imageLayout_; ///< compatible with PyramidPass
-    RasterPass pass_;
-    std::optional<ShadingCachePass> shadingCache_; ///< made on first use; shared by all views
-    std::map<std::pair<std::uint32_t, bool>, gpu::ComputePipeline> seeds_; ///< reversed: true
+    HostPasses passes_;
+    std::optional<ShadingCache> shadingCache_;  ///< made on first use; shared by all views
     std::shared_ptr<LargeBladeList> largeList_; ///< shared by all views in sequence …
     std::optional<std::uint32_t> clearedFor_;   ///< … and cleared for this view, if unused since
     std::vector<Pictures> pictures_;            ///< the newest per view

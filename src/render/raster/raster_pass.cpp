@@ -102,20 +102,20 @@ const gpu::ComputePipeline& RasterPass::made(Stage stage, const Variant& variant
     return found->second;
 }
 
-void RasterPass::prepare(const gpu::ShaderLibrary& shaders, const View& view, bool hasTwoPasses)
+void RasterPass::prepare(const gpu::ShaderLibrary& shaders, std::span<const Variant> instances,
+                         bool hasTwoPasses)
 {
-    for (const Instance& instance : view.instances)
-        make(shaders, Stage::blades, instance.variant);
-    const Variant& variant = view.variant;
-    if (view.several != nullptr) {
+    expect(!instances.empty(), "a view that is rasterised has an instance");
+    for (const Variant& instance : instances)
+        make(shaders, Stage::blades, instance);
+    const Variant& variant = instances.front();
+    if (instances.size() > 1) {
         make(shaders, Stage::cutOfInstances, ofInstances(variant));
         if (variant.groupsDrawLarge)
             make(shaders, Stage::largeOfInstances, ofInstances(variant));
-        make(shaders, Stage::allDepths, variant);
         return;
     }
     make(shaders, Stage::cut, variant);
-    make(shaders, Stage::allDepths, variant);
     if (!variant.groupsDrawLarge)
         return;
     make(shaders, Stage::large, variant);
@@ -124,6 +124,11 @@ void RasterPass::prepare(const gpu::ShaderLibrary& shaders, const View& view, bo
     make(shaders, Stage::depths, variant);
     make(shaders, Stage::lateBlades, variant);
     make(shaders, Stage::lateLarge, variant);
+}
+
+void RasterPass::prepareAllDepths(const gpu::ShaderLibrary& shaders, const Variant& variant)
+{
+    make(shaders, Stage::allDepths, variant);
 }
 
 void RasterPass::recordBlades(const gpu::Recording& commands, const View& view, std::uint32_t round,

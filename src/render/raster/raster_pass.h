@@ -66,9 +66,13 @@ public:
         glm::uvec2 size{0};                            ///< [pixels]
     };
 
-    /// Makes the pipelines that a view needs; `hasTwoPasses`: an early and a late one, of a view of
-    /// one instance.
-    void prepare(const gpu::ShaderLibrary& shaders, const View& view, bool hasTwoPasses);
+    /// Makes the pipelines of a view of such instances; `hasTwoPasses`: an early and a late one, of
+    /// a view of one instance.
+    void prepare(const gpu::ShaderLibrary& shaders, std::span<const Variant> instances,
+                 bool hasTwoPasses);
+
+    /// Makes the pipeline that fills Levels::all for views of a variant.
+    void prepareAllDepths(const gpu::ShaderLibrary& shaders, const Variant& variant);
 
     /// Early: blades drawn without occlusion test. Late: blades tested against the depth pyramid.
     enum class Phase { early, late };

@@ -150,9 +150,6 @@ void PlacedField::write(std::uint32_t slot, const GrassFrame& frame, std::uint32
             look(cullView, seenBy(*view.cullViewFrom * toWorld));
         seen_.push_back(cullView.view);
         cullView.pyramid = pyramids[i].culling;
-        if (i == 0)
-            features_ = shared::featuresOf(cullView.view, cullView.pages != 0,
-                                           cullView.cullResults != 0, cullView.organs.address != 0);
         shared::Frame updated = cullView;
         updated.draw = moved_.address();
         updated.pyramid = {};

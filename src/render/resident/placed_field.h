@@ -46,16 +46,13 @@ public:
     VisibilityHistory& history(std::uint32_t view) { return histories_[view]; }
     const VisibilityHistory& history(std::uint32_t view) const { return histories_[view]; }
 
-    /// What the frame written last uses in its first view: see shared::featuresOf().
-    std::uint32_t features() const { return features_; }
-
     bool isInFrame(std::uint32_t number) const { return written_ == number; }
     bool isUploaded() const { return instance_.field->isUploaded(); }
 
     const BakedBlades& blades() const { return Access::of(*instance_.field).blades; }
     const BladeStates& states() const { return states_; }
     const VisibleBlades& list(std::uint32_t view) const { return lists_[view]; }
-    const FieldLooks& looks() const { return Access::of(*instance_.field).looks; }
+    const ResidentField& field() const { return *instance_.field; }
 
     /// Whether a view's list has room for every blade.
     bool listsHoldAll() const { return settings_.maxListed >= blades().placeCount(); }
@@ -127,8 +124,7 @@ private:
     gpu::Buffer moved_;
     std::vector<VisibleBlades> lists_;
     std::vector<VisibilityHistory> histories_; ///< by view; empty ones unless there are two passes
-    std::uint32_t features_ = shared::featureAll;
-    bool hasNewEtas_ = false; ///< the collision state is uninitialised
+    bool hasNewEtas_ = false;                  ///< the collision state is uninitialised
     ReplacedBuffers replaced_;
     std::vector<Slot> slots_;
     std::vector<shared::Eyepoint> seen_;

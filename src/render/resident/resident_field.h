@@ -11,6 +11,7 @@
 
 namespace sward::field {
 struct Defaults;
+struct Delta;
 struct FieldView;
 } // namespace sward::field
 

@@ -79,14 +79,32 @@ gpu::ComputePipeline HostLighting::pipelineFor(const gpu::ShaderLibrary& shaders
                            {.id = shared::idStoredAs, .value = settings.storedAs}}}};
 }
 
-HostLighting::View HostLighting::prepare(const gpu::ShaderLibrary& shaders, std::uint32_t slot,
-                                         std::uint32_t index, const HostView& view, bool stores,
-                                         Settings settings)
+HostLighting::Settings HostLighting::settingsOf(const HostView& view, bool stores, bool isLit,
+                                                Settings settings)
 {
-    View made;
-    made.shadowMap = &shadowMaps_->of(slot, index);
     settings.samples = view.samples;
-    settings.hasHostLight = shadowMaps_->isLit(slot, index);
+    settings.hasHostLight = isLit;
+    if (stores) {
+        settings.storedAs = flagsOf(view);
+        settings.storesHalves = view.stored->format == VK_FORMAT_R16G16B16A16_SFLOAT;
+    }
+    return settings;
+}
+
+const gpu::ComputePipeline& HostLighting::pipelineOf(const gpu::ShaderLibrary& shaders,
+                                                     const Settings& settings)
+{
+    auto found = pipelines_.find(settings);
+    if (found == pipelines_.end())
+        found = pipelines_.emplace(settings, pipelineFor(shaders, settings)).first;
+    return found->second;
+}
+
+HostLighting::View HostLighting::prepare(std::uint32_t slot, std::uint32_t index,
+                                         const HostView& view, bool stores,
+                                         const gpu::ComputePipeline& pipeline)
+{
+    View made{.pipeline = &pipeline, .shadowMap = &shadowMaps_->of(slot, index)};
     if (stores) {
         std::optional<Picture>& picture = pictures_[std::size_t(slot) * maxViews_ + index];
         if (!picture)
@@ -97,13 +115,7 @@ HostLighting::View HostLighting::prepare(const gpu::ShaderLibrary& shaders, std:
         picture->depth.setStorage(0, stored.depth != VK_NULL_HANDLE ? stored.depth : stored.color);
         made.color = &picture->color;
         made.depth = &picture->depth;
-        settings.storedAs = flagsOf(view);
-        settings.storesHalves = stored.format == VK_FORMAT_R16G16B16A16_SFLOAT;
     }
-    auto found = pipelines_.find(settings);
-    if (found == pipelines_.end())
-        found = pipelines_.emplace(settings, pipelineFor(shaders, settings)).first;
-    made.pipeline = &found->second;
     return made;
 }
 

@@ -52,10 +52,18 @@ public:
     HostLighting(const gpu::DeviceContext& context, const HostShadowMaps& shadowMaps,
                  std::uint32_t slots, std::uint32_t maxViews);
 
-    /// Makes what lights a view of a frame in a completed `slot`, after its HostShadowMaps. Takes
-    /// samples, light and storage from `view`, which is stored if `stores`.
-    View prepare(const gpu::ShaderLibrary& shaders, std::uint32_t slot, std::uint32_t index,
-                 const HostView& view, bool stores, Settings settings);
+    /// `settings` with samples and storage of a view, which is stored if `stores` and has light of
+    /// the host's if `isLit`.
+    static Settings settingsOf(const HostView& view, bool stores, bool isLit, Settings settings);
+
+    /// The pipeline with these settings, which stays valid. Makes it on first use.
+    const gpu::ComputePipeline& pipelineOf(const gpu::ShaderLibrary& shaders,
+                                           const Settings& settings);
+
+    /// Makes what lights a view of a frame in a completed `slot`, after its HostShadowMaps. The
+    /// view is stored if `stores`; `pipeline` is made for that.
+    View prepare(std::uint32_t slot, std::uint32_t index, const HostView& view, bool stores,
+                 const gpu::ComputePipeline& pipeline);
 
     /// Lights the view. `frame`: of its only instance; null for several.
     static void record(const gpu::Recording& commands, const View& view, const FramePlace* frame,

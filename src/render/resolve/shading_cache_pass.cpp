@@ -11,23 +11,11 @@ namespace {
 /// Descriptor set of the frame.
 constexpr std::uint32_t surfaceFrameSet = 0;
 
-constexpr VkDeviceSize wordsOfSurface = 12;
-
-gpu::Buffer bufferOf(const gpu::DeviceContext& context, const char* name, VkDeviceSize words)
-{
-    return {context,
-            {.name = name,
-             .bytes = words * sizeof(std::uint32_t),
-             .usage = VK_BUFFER_USAGE_STORAGE_BUFFER_BIT}};
-}
-
 } // namespace
 
 ShadingCachePass::ShadingCachePass(const gpu::DeviceContext& context)
     : context_(&context)
     , frameLayout_(context, "raster/frame")
-    , places_(bufferOf(context, "raster/places of surfaces", shared::cachePlaceCount))
-    , surfaces_(bufferOf(context, "raster/surfaces", wordsOfSurface * shared::maxCachedBlades))
 {
 }
 
@@ -52,12 +40,6 @@ const gpu::ComputePipeline& ShadingCachePass::prepare(const gpu::ShaderLibrary& 
                           {.id = shared::idOnlyShape, .value = variant.looks.onlyShape},
                           {.id = shared::idMayHaveOrgans, .value = variant.looks.mayHaveOrgans}}}));
     return made.first->second;
-}
-
-void ShadingCachePass::describe(shared::RasterPush& push) const
-{
-    push.cachePlaces = places_.address();
-    push.cachedSurfaces = surfaces_.address();
 }
 
 void ShadingCachePass::record(const gpu::Recording& commands, const gpu::ComputePipeline& pipeline,

@@ -1,7 +1,6 @@
 #pragma once
 
 #include "gpu/context/context.h"
-#include "gpu/memory/buffer.h"
 #include "gpu/pipeline/compute_pipeline.h"
 #include "gpu/pipeline/shader_library.h"
 #include "gpu/pipeline/uniform_sets.h"
@@ -17,8 +16,7 @@
 
 namespace sward::render {
 
-/// Fills the shading cache: shading data of large blades, for all pixels that show them. Of one
-/// field; views are drawn one after another, and share the cache.
+/// Fills a ShadingCache.
 class ShadingCachePass {
 public:
     explicit ShadingCachePass(const gpu::DeviceContext& context);
@@ -34,19 +32,14 @@ public:
     /// The pipeline of a variant, which stays valid. Makes it on first use.
     const gpu::ComputePipeline& prepare(const gpu::ShaderLibrary& shaders, const Variant& variant);
 
-    void describe(shared::RasterPush& push) const; ///< addresses
-
-    /// Stores the listed large blades. `groups`: arguments of an indirect dispatch.
+    /// Stores the listed large blades into the cache that `push` describes. `groups`: arguments of
+    /// an indirect dispatch.
     static void record(const gpu::Recording& commands, const gpu::ComputePipeline& pipeline,
                        const shared::RasterPush& push, const FramePlace& frame, VkBuffer groups);
-
-    VkDeviceSize bytes() const { return places_.bytes() + surfaces_.bytes(); }
 
 private:
     const gpu::DeviceContext* context_;
     gpu::UniformSetLayout frameLayout_;
-    gpu::Buffer places_;   ///< see RasterPush::cachePlaces
-    gpu::Buffer surfaces_; ///< see RasterPush::cachedSurfaces
     std::map<Variant, gpu::ComputePipeline> pipelines_;
 };
 

@@ -26,6 +26,7 @@ ViewerRaster::ViewerRaster(const gpu::DeviceContext& context, const TargetSettin
     : context_(&context)
     , target_(target)
     , pass_(context)
+    , shadingPass_(context)
     , large_(context, target.groupsDrawLarge)
 {
     expect(obstacleToRaster(context, target.colorFormat) == nullptr, "the device can rasterise");
@@ -60,11 +61,12 @@ RasterPass::View ViewerRaster::viewOf(const RasterPass::Instance& instance) cons
 void ViewerRaster::prepare(const gpu::ShaderLibrary& shaders, Shading shading)
 {
     expect(!shading.hasShadingCache || shadingCache_, "work-groups draw large blades");
-    const RasterPass::Instance instance{.variant = variant()};
-    pass_.prepare(shaders, viewOf(instance), target_.groupsDrawLarge);
+    const RasterPass::Variant wanted = variant();
+    pass_.prepare(shaders, {&wanted, 1}, target_.groupsDrawLarge);
+    pass_.prepareAllDepths(shaders, wanted);
     cachePipeline_ = nullptr;
     if (shading.hasShadingCache)
-        cachePipeline_ = &shadingCache_->prepare(
+        cachePipeline_ = &shadingPass_.prepare(
             shaders, {.samples = target_.samples, .shading = shading, .looks = target_.looks});
 }
 

@@ -10,6 +10,7 @@
 #include "render/frame/frame_place.h"
 #include "render/raster/raster_pass.h"
 #include "render/raster/raster_rounds.h"
+#include "render/resolve/shading_cache.h"
 #include "render/resolve/shading_cache_pass.h"
 #include "render/resolve/target_settings.h"
 
@@ -76,9 +77,10 @@ private:
     const gpu::DeviceContext* context_;
     TargetSettings target_;
     RasterPass pass_;
+    ShadingCachePass shadingPass_;
     LargeBladeList large_;
     VisibilityHistory history_;
-    std::optional<ShadingCachePass> shadingCache_; ///< for large blades, if work-groups draw them
+    std::optional<ShadingCache> shadingCache_; ///< for large blades, if work-groups draw them
     const gpu::ComputePipeline* cachePipeline_ = nullptr; ///< of the prepared frame, if any
 
     glm::uvec2 size_{0};
