@@ -1,6 +1,8 @@
 // After Grass::prepare() no frame of the kinds it was told of makes a pipeline.
 
+#include "core/embedded.h"
 #include "core/error.h"
+#include "gpu/pipeline/shader_library.h"
 #include "gpu/recording/command_pool.h"
 #include "gpu/recording/commands.h"
 #include "host_picture.h"
@@ -13,9 +15,14 @@
 #include <cstddef>
 #include <cstdint>
 #include <memory>
+#include <span>
 #include <thread>
 #include <utility>
 #include <vector>
+
+namespace sward::embedded {
+std::span<const EmbeddedFile> hostTestShaders();
+} // namespace sward::embedded
 
 namespace sward::render {
 namespace {
@@ -28,6 +35,9 @@ std::atomic<int> made = 0;
 PFN_vkCreateComputePipelines createCompute = nullptr;
 PFN_vkCreateGraphicsPipelines createGraphics = nullptr;
 
+/// Compiled in place of every compute shader: frames are recorded, and not run.
+VkShaderModule nothing = VK_NULL_HANDLE;
+
 VKAPI_ATTR VkResult VKAPI_CALL countCompute(VkDevice device, VkPipelineCache cache,
                                             std::uint32_t count,
                                             const VkComputePipelineCreateInfo* infos,
@@ -35,7 +45,12 @@ VKAPI_ATTR VkResult VKAPI_CALL countCompute(VkDevice device, VkPipelineCache cac
                                             VkPipeline* pipelines)
 {
     made += static_cast<int>(count);
-    return createCompute(device, cache, count, infos, allocation, pipelines);
+    std::vector<VkComputePipelineCreateInfo> empty(infos, infos + count);
+    for (VkComputePipelineCreateInfo& info : empty) {
+        info.stage.module = nothing;
+        info.stage.pSpecializationInfo = nullptr;
+    }
+    return createCompute(device, cache, count, empty.data(), allocation, pipelines);
 }
 
 VKAPI_ATTR VkResult VKAPI_CALL countGraphics(VkDevice device, VkPipelineCache cache,
@@ -63,6 +78,7 @@ protected:
     void SetUp() override
     {
         test::GrassTest::SetUp();
+        nothing = nothing_.get();
         if (!context().features.bufferInt64Atomics)
             GTEST_SKIP() << "the device has no 64-bit atomics";
     }
@@ -102,6 +118,8 @@ protected:
         return made - before;
     }
 
+    const gpu::ShaderModule nothing_ =
+        gpu::ShaderLibrary(embedded::hostTestShaders()).module(context(), "nothing.comp");
     const gpu::DeviceContext host_ = counting(context());
     const gpu::CommandPool pool_{context()};
     std::shared_ptr<ResidentField> resident_;
