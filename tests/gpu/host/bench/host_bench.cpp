@@ -8,7 +8,7 @@
 // any other. Prints one line of JSON: medians in milliseconds by device timestamps, and by the
 // clock for the CPU and whole frames; of a flight, how near blades were missing. With each, also a
 // line for each frame.
-#include "bench_flight.h"
+#include "flight.h"
 #include "field/read.h"
 #include "gpu/context/check.h"
 #include "gpu/device/device.h"

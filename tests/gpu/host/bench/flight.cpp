@@ -1,4 +1,4 @@
-#include "bench_flight.h"
+#include "flight.h"
 
 #include <algorithm>
 #include <cmath>
