@@ -15,10 +15,10 @@ VkDeviceSize tableBytes()
 void writeTables(TablePlace place, const FieldShape& field, const FrameSettings& settings,
                  std::span<const shared::Collider> colliders, double time, shared::Frame& frame)
 {
-    expect(settings.winds.size() <= shared::maxWindSources, "at most maxWindSources blow at once");
     expect(colliders.size() <= shared::maxColliders, "at most maxColliders collide");
     const std::vector<shared::WindSource> blown =
         blowing(settings.winds, field.origin, settings.windFrame);
+    expect(blown.size() <= shared::maxWindSources, "at most maxWindSources blow at once");
     std::ranges::copy(std::as_bytes(colliders), place.mapped);
 
     shared::Environment& environment = frame.environment;

@@ -32,6 +32,23 @@ TEST_F(GrassTest, DrawsTheSameInEitherConventionOfDepth)
     EXPECT_LT(test::pixelsApart(reversed, forward, 4), size.x * size.y / 100);
 }
 
+/// Only winds with strength count for the limit.
+TEST_F(GrassTest, WindsWithoutStrengthDoNotBlow)
+{
+    const auto resident = upload(field_);
+    const HostView view = lookingFrom({2.0, 2.5, 4.0});
+    settings_.winds = {windSource(shared::windTurning)};
+    Grass grass(context(), oneSlot_);
+    grass.add({resident, {}});
+    const auto expected = drawnAlone(grass, 1.0, view);
+    WindSource still = windSource(shared::windWave);
+    still.source.strength = 0.0f;
+    settings_.winds.resize(1 + maxWindSources, still);
+    Grass other(context(), oneSlot_);
+    other.add({resident, {}});
+    EXPECT_EQ(test::pixelsApart(drawnAlone(other, 1.0, view), expected, 1), 0u);
+}
+
 TEST_F(GrassTest, LooksTheSameWhereWorldAndCameraAreMovedTogether)
 {
     // Rotating, moving and scaling a field, its camera and its world together does not change the
