@@ -68,6 +68,7 @@ void Residency::look(std::span<const shared::Eyepoint> views,
     expect(!views.empty(), "someone looks");
     const bool isBehind = visits_.granted > 0 && visits_.isSpent();
     const bool isCut = hasCut(views);
+    isAfterCut_ = isCut;
     if (isCut)
         unknownFrames_ = maxUnknownFrames;
     isStill_ = ahead.empty() && areAlike(views, scores_.views());

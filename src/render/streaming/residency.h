@@ -65,6 +65,9 @@ public:
     std::optional<Gone> leave(const Wanted& wanted);
     void free(const Gone& gone);
 
+    /// Whether this frame's views are others than those before, by more than a flight.
+    bool isAfterCut() const { return isAfterCut_; }
+
     /// Ends a frame, after the last page has come or gone.
     void finish();
 
@@ -95,6 +98,7 @@ private:
     std::vector<std::uint32_t> free_; ///< places
     std::vector<std::uint32_t> left_; ///< pages whose places were freed in this frame
     VisitBudget visits_;              ///< of this frame
+    bool isAfterCut_ = false;
     bool isStill_ = false; ///< the eyes and their directions are those of the frame before
 
     // The search for missing pages.

@@ -161,8 +161,18 @@ void Streaming::takeIn(InFlight& frame, std::uint32_t batch)
 
 void Streaming::fill(InFlight& frame, std::uint32_t batch)
 {
-    // All that a frame may bring is used as long as pages are missing.
-    const std::uint32_t most = pagesPerFrame(settings_);
+    // All that a frame may bring is used as long as pages are missing; in a flight a few frames
+    // after the first of them, so that no frame takes much longer than those before.
+    const std::uint32_t all = pagesPerFrame(settings_);
+    const bool isHasty = residency_.freePlaces() > 0 || residency_.isAfterCut();
+    const std::uint32_t most = isHasty ? all : std::clamp(nextPages_, (all + 4) / 5, all);
+    fillWithin(frame, batch, most);
+    const auto came = static_cast<std::uint32_t>(coming_[batch].size());
+    nextPages_ = came < most ? 0 : most + (all + 15) / 16;
+}
+
+void Streaming::fillWithin(InFlight& frame, std::uint32_t batch, std::uint32_t most)
+{
     std::uint32_t unread = 0;
     std::uint32_t waiting = 0;
     while (coming_[batch].size() < most && unread < most) {

@@ -96,6 +96,7 @@ private:
     void note(InFlight& frame, const shared::PageChange& change);
     void takeIn(InFlight& frame, std::uint32_t batch);
     void fill(InFlight& frame, std::uint32_t batch);
+    void fillWithin(InFlight& frame, std::uint32_t batch, std::uint32_t most);
     bool makeRoom(InFlight& frame, const Residency::Wanted& wanted, std::uint32_t waiting);
     void copy(std::uint32_t batch, std::uint32_t page);
 
@@ -104,6 +105,8 @@ private:
     Residency residency_;
     PageCensus census_;
     PageReader reader_;
+    std::uint32_t nextPages_ =
+        0; ///< that the next frame of a flight may bring, at least a fifth of all
     EyeMotion motion_;
     gpu::CopyRing copies_;
     gpu::ComputePipeline change_;

@@ -433,6 +433,39 @@ TEST_F(GrassStreamingTest, SaysWhatItNeeds)
     EXPECT_THROW(grass.add({lawn, here}), Error) << "the budget is for two frames in flight";
 }
 
+/// In a flight the frames that bring pages begin with few: no frame takes much longer than those
+/// before. After a cut a frame brings all that it may.
+TEST_F(GrassStreamingTest, BringsPagesOfAFlightLittleByLittle)
+{
+    const HostPicture picture(context(), {});
+    const HostPicture* const pictures[]{&picture};
+    settings_.winds.clear();
+    // An eighth of the pages that fit may come in a frame: a few.
+    const auto lawn = uploaded(budgetFor(0.4, {.framesInFlight = 1}));
+    Grass grass(context(), oneSlot_);
+    grass.add({lawn, {}});
+    const auto at = [](double along) {
+        const glm::dvec3 eye(-27.0 + along, 1.6, -27.0 + along);
+        return viewFrom(eye, eye + glm::dvec3(12.0, -4.0, 12.0));
+    };
+    const auto pagesOf = [&](const HostView& view) {
+        draw(grass, {&view, 1}, pictures);
+        return static_cast<int>(grass.streamingStats().copiedBytes / (16 * 1024));
+    };
+    const HostView start = at(0.0);
+    settle(grass, {&start, 1}, pictures);
+    int before = 0;
+    int sum = 0;
+    for (int step = 1; step <= 60; ++step) {
+        const int pages = pagesOf(at(0.6 * step));
+        EXPECT_LE(pages, before + 1) << "step " << step;
+        before = pages;
+        sum += pages;
+    }
+    EXPECT_GT(sum, 3) << "other pages are seen";
+    EXPECT_GT(pagesOf(atOtherCorner()), 1) << "after a cut";
+}
+
 /// The visibility history is by resident id: it has room for all blades of the field, not only for
 /// those in memory.
 TEST_F(GrassStreamingTest, TwoPassesHaveAHistoryOfAllBlades)
