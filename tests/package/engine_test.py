@@ -11,16 +11,16 @@ REFERENCE = PAGE.with_name("engine_reference.md")
 
 # Structs of a host, and the headers that have them.
 STRUCTS = {
-    "gpu::HostDevice": "gpu/host_device.h", "render::FieldBudget": "render/resident/resident_field.h",
+    "gpu::HostDevice": "gpu/host_device.h", "render::FieldBudget": "render/resident_field.h",
     "render::Grass::Settings": "render/grass.h", "render::FieldInstance": "render/grass.h",
-    "render::Placement": "render/frame/placement.h", "render::HostTarget": "render/blade_target.h",
-    "render::GrassFrame": "render/grass_frame.h", "render::HostView": "render/host/host_view.h",
-    "render::HostDepth": "render/host/host_view.h", "render::HostShadow": "render/host/host_light.h",
-    "render::StoredPicture": "render/host/stored_picture.h", "render::HostImage": "render/host/host_image.h",
+    "render::Placement": "render/placement.h", "render::HostTarget": "render/blade_target.h",
+    "render::GrassFrame": "render/grass_frame.h", "render::HostView": "render/host_view.h",
+    "render::HostDepth": "render/host_view.h", "render::HostShadow": "render/host_light.h",
+    "render::StoredPicture": "render/stored_picture.h", "render::HostImage": "render/host_image.h",
     "render::HostCollider": "render/grass_frame.h",
-    "render::HostLight": "render/host/host_light.h", "render::HostLamp": "render/host/host_light.h",
-    "render::HostCone": "render/host/host_light.h", "render::FrameStats": "render/frame/frame_stats.h",
-    "render::StreamingStats": "render/frame/frame_stats.h",
+    "render::HostLight": "render/host_light.h", "render::HostLamp": "render/host_light.h",
+    "render::HostCone": "render/host_light.h", "render::FrameStats": "render/frame_stats.h",
+    "render::StreamingStats": "render/frame_stats.h",
 }
 
 

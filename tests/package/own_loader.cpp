@@ -2,8 +2,8 @@
 #include <dlfcn.h>
 #include <glm/ext/matrix_transform.hpp>
 #include <sward/field/read.h>
-#include <sward/gpu/context/host_device.h>
-#include <sward/gpu/device/features.h>
+#include <sward/gpu/host_device.h>
+#include <sward/gpu/features.h>
 #include <sward/render/grass.h>
 
 #include <cstdio>
