@@ -243,8 +243,9 @@ void Grass::prepare(const GrassFrame& frame, const PreparedFields& fields) const
     for (const HostView& view : frame.views) {
         const bool isOwn = parts.raster.obstacle(view, {}) == nullptr &&
                            HostRaster::hasOwnPyramid(view, frame.settings);
-        if (const auto wanted = pyramidOf(view, frame.settings, isOwn))
-            PyramidPass(parts.context, parts.shaders, *wanted);
+        const auto wanted = pyramidOf(view, frame.settings, isOwn);
+        if (wanted && !isOwn)
+            PyramidPass(parts.context, *wanted).prepare(parts.shaders);
     }
     parts.raster.preparePipelines(parts.shaders, frame, fields);
 }
@@ -312,10 +313,12 @@ ViewPyramids Grass::Parts::lookAtDepth(const HostView& view, const ViewDrawing& 
     const std::optional<PyramidPass::Settings> wanted = pyramidOf(view, frameSettings, depth.isOwn);
     if (!wanted)
         return {};
-    PyramidPass& pass = pyramids
-                            .try_emplace({wanted->samples, wanted->hasReversedZ, wanted->slack},
-                                         context, shaders, *wanted)
-                            .first->second;
+    PyramidPass& pass =
+        pyramids
+            .try_emplace({wanted->samples, wanted->hasReversedZ, wanted->slack}, context, *wanted)
+            .first->second;
+    if (!depth.isOwn)
+        pass.prepare(shaders);
     if (!readsDepth(view, frameSettings)) {
         pass.fit(depth.cells, view.size);
         return {.raster = depth.cells.layout};

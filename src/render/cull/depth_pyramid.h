@@ -17,11 +17,14 @@ namespace sward::render {
 /// The depth pyramid (farthest depths) of a renderer's own picture.
 class DepthPyramid {
 public:
-    /// `samples`: per pixel of the depth picture.
+    /// `samples`: per pixel of the depth picture. `readsPicture`: record() fills the pyramid from
+    /// it; else RasterPass::recordDepths() does, and no pipeline is made.
     DepthPyramid(const gpu::DeviceContext& context, const gpu::ShaderLibrary& shaders,
-                 std::uint32_t samples)
-        : pass_(context, shaders, {.samples = samples})
+                 std::uint32_t samples, bool readsPicture)
+        : pass_(context, {.samples = samples})
     {
+        if (readsPicture)
+            pass_.prepare(shaders);
     }
 
     /// Fits the pyramid to a depth picture, which is in ImageUse::sampled when record() runs. The

@@ -34,28 +34,34 @@ std::uint32_t layOut(glm::uvec2 size, shared::DepthPyramid& layout)
 
 } // namespace
 
-PyramidPass::PyramidPass(const gpu::DeviceContext& context, const gpu::ShaderLibrary& shaders,
-                         const Settings& settings)
+PyramidPass::PyramidPass(const gpu::DeviceContext& context, const Settings& settings)
     : context_(&context)
-    , slack_(settings.slack)
+    , settings_(settings)
     , imageLayout_(
           context,
           {.name = "pyramid/depth", .sampledCount = 1, .stages = VK_SHADER_STAGE_COMPUTE_BIT})
     , sampler_(gpu::createSampler(context, {.name = "pyramid",
                                             .filter = VK_FILTER_NEAREST,
                                             .address = VK_SAMPLER_ADDRESS_MODE_CLAMP_TO_EDGE}))
-    , first_(context, shaders,
-             {.name = "pyramid/first",
-              .shader = settings.samples > 1 ? shader::pyramidFirstOfSeveral : shader::pyramidFirst,
-              .pushConstantBytes = sizeof(shared::PyramidPush),
-              .setLayouts = {imageLayout_.get()},
-              .constants = {{.id = shared::idHasForwardZ, .value = settings.hasReversedZ ? 0u : 1u},
-                            {.id = shared::idSamplesPerPixel, .value = settings.samples}}})
-    , rest_(context, shaders,
-            {.name = "pyramid/rest",
-             .shader = shader::pyramidRest,
-             .pushConstantBytes = sizeof(shared::ViewPush)})
 {
+}
+
+void PyramidPass::prepare(const gpu::ShaderLibrary& shaders)
+{
+    if (first_.get() != VK_NULL_HANDLE)
+        return;
+    first_ = gpu::ComputePipeline(
+        *context_, shaders,
+        {.name = "pyramid/first",
+         .shader = settings_.samples > 1 ? shader::pyramidFirstOfSeveral : shader::pyramidFirst,
+         .pushConstantBytes = sizeof(shared::PyramidPush),
+         .setLayouts = {imageLayout_.get()},
+         .constants = {{.id = shared::idHasForwardZ, .value = settings_.hasReversedZ ? 0u : 1u},
+                       {.id = shared::idSamplesPerPixel, .value = settings_.samples}}});
+    rest_ = gpu::ComputePipeline(*context_, shaders,
+                                 {.name = "pyramid/rest",
+                                  .shader = shader::pyramidRest,
+                                  .pushConstantBytes = sizeof(shared::ViewPush)});
 }
 
 void PyramidPass::fit(DepthCells& cells, glm::uvec2 size) const
@@ -82,7 +88,8 @@ void PyramidPass::record(const gpu::Recording& commands, const DepthCells& cells
 {
     first_.bind(commands);
     cells.picture.bind(commands, VK_PIPELINE_BIND_POINT_COMPUTE, first_.layout());
-    first_.push(commands, shared::PyramidPush{.frame = frame, .slack = slack_, .reserved = 0});
+    first_.push(commands,
+                shared::PyramidPush{.frame = frame, .slack = settings_.slack, .reserved = 0});
     commands.vk->CmdDispatch(commands, groupsFor(shared::pyramidCells(cells.layout.size.x, 0)),
                              groupsFor(shared::pyramidCells(cells.layout.size.y, 0)), 1);
     if (cells.layout.levels <= shared::pyramidFirstOfRest)

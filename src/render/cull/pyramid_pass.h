@@ -36,8 +36,11 @@ public:
         float slack = 0.0f;
     };
 
-    PyramidPass(const gpu::DeviceContext& context, const gpu::ShaderLibrary& shaders,
-                const Settings& settings);
+    PyramidPass(const gpu::DeviceContext& context, const Settings& settings);
+
+    /// Makes the pipelines, unless they exist. For record(): cells that another pass fills need
+    /// none.
+    void prepare(const gpu::ShaderLibrary& shaders);
 
     /// Makes cells for pictures of `size` pixels unless they fit already; another pass fills them.
     /// The device must be done with the former ones.
@@ -54,7 +57,7 @@ public:
 
 private:
     const gpu::DeviceContext* context_;
-    float slack_;
+    Settings settings_;
     gpu::ImageSetLayout imageLayout_;
     gpu::Sampler sampler_;
     gpu::ComputePipeline first_;

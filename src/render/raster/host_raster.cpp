@@ -307,7 +307,7 @@ void HostRaster::recordBegin(const gpu::Recording& commands, std::uint32_t slotI
 void HostRaster::record(const gpu::Recording& commands, std::uint32_t slotIndex,
                         std::uint32_t viewIndex, Instances instances)
 {
-    const View& view = slots_[slotIndex].views[viewIndex];
+    View& view = slots_[slotIndex].views[viewIndex];
     if (std::exchange(clearedFor_, std::nullopt) != viewIndex) {
         // Another view was culled or rasterised since.
         gpu::memoryBarrier(commands, gpu::anyAccess, gpu::fillAccess);
@@ -317,14 +317,13 @@ void HostRaster::record(const gpu::Recording& commands, std::uint32_t slotIndex,
     if (view.instances.empty())
         return;
     // Instances may have been removed after begin().
-    std::vector<RasterPass::Instance> present = view.instances;
-    for (std::size_t i = 0; i < present.size(); ++i)
+    for (std::size_t i = 0; i < view.instances.size(); ++i)
         if (instances[i] == nullptr)
-            present[i].list = nullptr;
-    RasterPass::View rastered = viewOf(view);
-    rastered.instances = present;
-    const bool isOfOne = present.size() == 1;
-    if (!isOfOne || present.front().list != nullptr) {
+            view.instances[i].list = nullptr;
+    const RasterPass::View rastered = viewOf(view);
+    const RasterPass::Instance& first = view.instances.front();
+    const bool isOfOne = view.instances.size() == 1;
+    if (!isOfOne || first.list != nullptr) {
         RasterRounds{.context = *context_,
                      .pass = passes_.raster(),
                      .view = rastered,
@@ -332,8 +331,7 @@ void HostRaster::record(const gpu::Recording& commands, std::uint32_t slotIndex,
                      .shadingCache = view.pipelines.cache}
             .record(commands, nullptr);
         gpu::computeToCompute(commands);
-        HostLighting::record(commands, view.lighting, isOfOne ? &present.front().frame : nullptr,
-                             view.push);
+        HostLighting::record(commands, view.lighting, isOfOne ? &first.frame : nullptr, view.push);
     }
     gpu::memoryBarrier(commands, gpu::computeAccess, gpu::anyAccess);
 }
@@ -366,7 +364,7 @@ VkDeviceSize HostRaster::bytes() const
                 held[view.large.get()] = view.large->bytes();
         }
     }
-    VkDeviceSize sum = 0;
+    VkDeviceSize sum = shadingCache_ ? shadingCache_->bytes() : 0;
     for (const auto& [holder, bytes] : held)
         sum += bytes;
     return sum;

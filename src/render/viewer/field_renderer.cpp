@@ -79,7 +79,7 @@ FieldRenderer::Parts::Parts(const gpu::DeviceContext& deviceContext, const field
     , ground(uploaded<GroundBuffers>(context, *field.ground))
     , cover(uploaded<GrassCover>(context, field, wanted.isEditable))
     , sunShadow(context, shaders, ground.box(), wanted.deviceBytes == 0)
-    , pyramid(context, shaders, wanted.samples)
+    , pyramid(context, shaders, wanted.samples, geometry == Geometry::tessellation)
     , attachments(madeIf<Attachments>(geometry == Geometry::tessellation, context, targetSettings))
     , opaque(madeIf<OpaquePass>(geometry == Geometry::tessellation, context, shaders,
                                 targetSettings, ground))

@@ -2,6 +2,8 @@
 
 #include "core/expect.h"
 
+#include <functional>
+
 namespace sward::render {
 namespace {
 
@@ -135,16 +137,16 @@ void ViewerRaster::recordRounds(const gpu::Recording& commands, const Input& inp
     UpdateCullPass::History history;
     if (input.hasTwoPasses)
         history = {.address = history_.address(), .frame = history_.frame()};
+    const auto list = [&](std::uint32_t round) {
+        blades.moveAndList(commands, input.cullView, round, history, timestamps);
+    };
     RasterRounds{.context = *context_,
                  .pass = pass_,
                  .view = view,
                  .hasTwoPasses = input.hasTwoPasses,
                  .shadingCache = input.hasTwoPasses ? cachePipeline_ : nullptr,
                  .rounds = rounds,
-                 .list =
-                     [&](std::uint32_t round) {
-                         blades.moveAndList(commands, input.cullView, round, history, timestamps);
-                     }}
+                 .list = std::ref(list)} // a reference allocates nothing while recording
         .record(commands, timestamps);
 }
 
