@@ -1,13 +1,15 @@
 #include "render/grass.h"
 
-#include "core/embedded.h"
 #include "core/error.h"
 #include "gpu/context/context.h"
+#include "gpu/context/debug.h"
 #include "render/access.h"
 #include "render/frame/frame.h"
 #include "render/frame/wind.h"
-#include "render/grass_parts.h"
 #include "render/host/host_checks.h"
+#include "render/recorder.h"
+#include "render/resident/resident_parts.h"
+#include "render/tessellation/blade_target_parts.h"
 #include "shaders/shared/environment.h"
 #include "shaders/shared/passes.h"
 
@@ -15,10 +17,6 @@
 #include <optional>
 #include <utility>
 #include <vector>
-
-namespace sward::embedded {
-std::span<const EmbeddedFile> shaders();
-} // namespace sward::embedded
 
 namespace sward::render {
 namespace {
@@ -35,34 +33,6 @@ void requireSlot(const Grass::Settings& settings, std::uint32_t slot)
 {
     requireUsage(slot < settings.framesInFlight, "slot {}, and framesInFlight is {}", slot,
                  settings.framesInFlight);
-}
-
-/// How blades are moved in frames like this one, of any field and without wind.
-UpdateCullPass::Variant movingLike(const GrassFrame& frame, const Grass::Settings& settings,
-                                   bool testsSmall)
-{
-    using Role = UpdateCullPass::Role;
-    UpdateCullPass::Variant moving{.role = Role::move, .keepsBefore = settings.keepsMotion};
-    if (frame.views.size() != 1)
-        return moving;
-    shared::Eyepoint tests = testsOf(frame.settings);
-    if (isParallel(frame.views.front().worldToClip))
-        tests.cullMask &= ~shared::cullDistance;
-    moving.role = Role::moveAndCull;
-    moving.testsSmall = testsSmall;
-    moving.features = shared::featuresOf(tests, false, false, false);
-    return moving;
-}
-
-/// The same of a field.
-UpdateCullPass::Variant movingIn(UpdateCullPass::Variant moving, const BakedBlades& blades)
-{
-    if (blades.hasOrgans())
-        moving.features |= shared::featureOrgans;
-    // Streaming thins out what is not in memory.
-    if (blades.isPaged())
-        moving.features |= shared::featurePages | shared::featureThinning;
-    return moving;
 }
 
 /// Prepares frames with and without colliders, if this one has some. Instances keep their collision
@@ -82,44 +52,25 @@ void prepareMoves(UpdateCullPass& pass, const gpu::ShaderLibrary& shaders, const
     pass.prepare(shaders, variant);
 }
 
-/// Whether a view's depth hides blades: it does not apply to a frozen camera.
-bool readsDepth(const HostView& view, const FrameSettings& settings)
-{
-    return (settings.cullMask & shared::cullOcclusion) != 0 && view.depth && !view.cullViewFrom;
-}
-
-/// What makes a view's depth pyramid; unset: it has none. `isOwn`: see ViewDepth.
-std::optional<PyramidPass::Settings> pyramidOf(const HostView& view, const FrameSettings& settings,
-                                               bool isOwn)
-{
-    if (readsDepth(view, settings))
-        return PyramidPass::Settings{view.depth->samples, view.hasReversedZ, view.depth->slack};
-    if (isOwn)
-        return PyramidPass::Settings{};
-    return std::nullopt;
-}
-
 } // namespace
 
-Grass::Parts::Parts(const gpu::DeviceContext& deviceContext, const Settings& wanted)
-    : sharing(contextForGrass(deviceContext, wanted))
-    , context(sharing.context)
-    , settings(wanted)
-    , shaders(embedded::shaders())
-    , walk(context, shaders)
-    , update(context)
-    , shadowMaps(context, wanted.framesInFlight, wanted.maxViews)
-    , raster(context, shadowMaps,
-             {.slots = wanted.framesInFlight,
-              .maxViews = wanted.maxViews,
-              .keepsMotion = wanted.keepsMotion,
-              .groupsDrawLarge = !wanted.rastersForCpu.value_or(context.isCpu()),
-              .limitsLists = wanted.maxListed < Settings{}.maxListed})
-    , frameOfSlot(wanted.framesInFlight, 0)
-    , depths(wanted.framesInFlight * wanted.maxViews)
-{
-    update.prepare(shaders, culling);
-}
+/// The recorder, for hosts.
+struct Grass::Parts : Recorder {
+    Parts(const gpu::DeviceContext& deviceContext, const Settings& wanted)
+        : Recorder(contextForGrass(deviceContext, wanted), wanted)
+    {
+        update.prepare(shaders, culling);
+    }
+
+    std::shared_ptr<const void> owner = std::make_shared<char>(); ///< see ResidentField::Parts
+
+    gpu::Recording recording(VkCommandBuffer commands) const;
+    const ViewDrawing& drawing(std::uint32_t view) const;
+    void requireTarget(std::uint32_t view, const BladeTarget& target) const;
+    Placed& instance(InstanceId id);
+    void requireDevice(const ResidentField::Parts& field) const;
+    void take(const ResidentField::Parts& field) const;
+};
 
 Grass::Grass(const gpu::DeviceContext& context, const Settings& settings)
     : parts_(std::make_unique<Parts>(context, settings))
@@ -133,35 +84,40 @@ InstanceId Grass::add(const FieldInstance& instance)
     Parts& parts = *parts_;
     requireUsage(instance.field != nullptr, "FieldInstance::field is null");
     requireValid(instance.placement);
-    parts.take(Access::of(*instance.field));
+    const ResidentField::Parts& field = Access::of(*instance.field);
+    parts.take(field);
     const std::uint64_t id = ++parts.lastId;
-    parts.placed.emplace(id,
-                         std::make_unique<PlacedField>(parts.context, instance, parts.settings));
+    const PlacedField::Settings settings{.framesInFlight = parts.settings.framesInFlight,
+                                         .maxViews = parts.settings.maxViews,
+                                         .keepsMotion = parts.settings.keepsMotion,
+                                         .maxListed = parts.settings.maxListed};
+    auto placed =
+        std::make_unique<PlacedField>(parts.context, field.field, settings, instance.field);
+    parts.placed.emplace(id, Recorder::Placed{std::move(placed), {instance.placement, {}}});
     return InstanceId{id};
 }
 
 void Grass::move(InstanceId id, const Placement& placement)
 {
-    PlacedField& instance = parts_->instance(id);
+    Recorder::Placed& instance = parts_->instance(id);
     requireValid(placement);
-    instance.place(placement);
+    instance.placement.now = placement;
 }
 
 void Grass::remove(InstanceId id)
 {
-    const PlacedField* const gone = &parts_->instance(id);
-    const auto found = parts_->placed.find(static_cast<std::uint64_t>(id));
-    std::ranges::replace(parts_->instances, gone, static_cast<const PlacedField*>(nullptr));
-    parts_->removed.push_back({std::move(found->second), parts_->frame});
-    parts_->placed.erase(found);
+    Recorder::Placed& gone = parts_->instance(id);
+    std::ranges::replace(parts_->instances, gone.field.get(), static_cast<PlacedField*>(nullptr));
+    parts_->removed.push_back({std::move(gone.field), parts_->frame});
+    parts_->placed.erase(static_cast<std::uint64_t>(id));
 }
 
 void Grass::edit(ResidentField& field, const field::Delta& delta)
 {
     ResidentField::Parts& edited = Access::of(field);
-    requireUsage(edited.edits != nullptr, "FieldBudget::isEditable of the field is not set");
+    requireUsage(edited.field.edits != nullptr, "FieldBudget::isEditable of the field is not set");
     parts_->take(edited);
-    edited.edits->apply(delta);
+    edited.field.apply(delta);
 }
 
 void Grass::begin(std::uint32_t slot, const GrassFrame& frame)
@@ -169,59 +125,9 @@ void Grass::begin(std::uint32_t slot, const GrassFrame& frame)
     Parts& parts = *parts_;
     requireSlot(parts.settings, slot);
     requireValid(frame, parts.settings);
-
-    // The slot's former frame and all earlier ones have completed.
-    std::erase_if(parts.removed, [&](const Parts::Removed& removed) {
-        return removed.lastFrame <= parts.frameOfSlot[slot];
+    parts.begin(slot, frame, {}, [&](const Recorder::Placed& instance) {
+        return inField(frame, instance.placement, instance.field->field().shape, parts.frame);
     });
-    parts.frameOfSlot[slot] = ++parts.frame;
-    parts.slot = slot;
-    // Without views until all has been made: nothing is recorded of a frame that has failed.
-    parts.viewCount = 0;
-    parts.isUpdated = false;
-    parts.time = frame.time;
-
-    parts.instances.clear();
-    std::vector<PlacedField*> uploaded;
-    for (const auto& [id, field] : parts.placed) {
-        if (!field->isUploaded())
-            continue;
-        if (field->edits() != nullptr)
-            field->edits()->begin();
-        if (field->blades().bladeCount() > 0)
-            parts.instances.push_back(field.get());
-        uploaded.push_back(field.get());
-    }
-    parts.drawings.clear();
-    std::vector<ViewPyramids> pyramids;
-    for (const HostView& view : frame.views) {
-        Parts::ViewDrawing drawing{
-            .obstacle = parts.raster.obstacle(view, parts.instances),
-            .storeObstacle = parts.raster.storeObstacle(view, parts.instances, frame.settings),
-            .samples = view.samples,
-            .hasReversedZ = view.hasReversedZ};
-        drawing.hasTwoPasses = drawing.obstacle == nullptr &&
-                               parts.raster.hasTwoPasses(view, parts.instances, frame.settings);
-        parts.drawings.push_back(drawing);
-        pyramids.push_back(
-            parts.lookAtDepth(view, drawing, frame.settings,
-                              parts.depthOf(static_cast<std::uint32_t>(pyramids.size()))));
-    }
-    const auto viewCount = static_cast<std::uint32_t>(frame.views.size());
-    for (PlacedField* const field : uploaded) {
-        field->write(slot, frame, parts.frame, pyramids);
-        for (std::uint32_t view = 0; view < viewCount; ++view)
-            if (parts.drawings[view].hasTwoPasses)
-                field->expectHistory(view);
-    }
-    parts.shadowMaps.begin(slot, frame.light, frame.views);
-    parts.raster.begin(parts.shaders, slot, frame.views, parts.instances, frame.settings);
-    parts.movesWithCull = viewCount == 1;
-    parts.moving = movingLike(frame, parts.settings, parts.raster.drawsLargeByGroups());
-    for (const PlacedField* const field : uploaded)
-        parts.update.prepare(parts.shaders, parts.movingOf(*field));
-    parts.viewCount = viewCount;
-    parts.hasBegun = true;
 }
 
 void Grass::prepare(const GrassFrame& frame, const PreparedFields& fields) const
@@ -236,49 +142,39 @@ void Grass::prepare(const GrassFrame& frame, const PreparedFields& fields) const
     // Passes of this call alone: their pipelines stay among the shared objects, where those of the
     // grass find them. So no lock is held while one is compiled.
     UpdateCullPass update(parts.context);
-    const UpdateCullPass::Variant moving =
-        movingLike(frame, parts.settings, parts.raster.drawsLargeByGroups());
+    const UpdateCullPass::Variant moving = parts.movingLike(frame);
     for (const ResidentField* field : fields.fields)
-        prepareMoves(update, parts.shaders, frame, moving, Access::of(*field).blades);
+        prepareMoves(update, parts.shaders, frame, moving, Access::of(*field).field.blades);
     for (const HostView& view : frame.views) {
         const bool isOwn = parts.raster.obstacle(view, {}) == nullptr &&
-                           HostRaster::hasOwnPyramid(view, frame.settings);
-        const auto wanted = pyramidOf(view, frame.settings, isOwn);
+                           ViewRaster::hasOwnPyramid(view, frame.settings);
+        const auto wanted = Recorder::pyramidOf(view, frame.settings, isOwn);
         if (wanted && !isOwn)
             PyramidPass(parts.context, *wanted).prepare(parts.shaders);
     }
     parts.raster.preparePipelines(parts.shaders, frame, fields);
 }
 
-UpdateCullPass::Variant Grass::Parts::movingOf(const PlacedField& field) const
-{
-    const shared::Environment& environment = field.environment();
-    UpdateCullPass::Variant variant = movingIn(moving, field.blades());
-    variant.windCounts = environment.wind.counts;
-    variant.hasColliders = environment.colliderCount > 0;
-    variant.keepsEtas = field.states().hasEtas();
-    return variant;
-}
-
 /// A frame has begun, and there is a buffer to record into.
-void Grass::Parts::requireRecording(VkCommandBuffer commands) const
+gpu::Recording Grass::Parts::recording(VkCommandBuffer commands) const
 {
     requireUsage(commands != VK_NULL_HANDLE, "the command buffer is null");
     requireUsage(hasBegun, "no frame has begun: Grass::begin() comes first");
+    return {context, commands};
 }
 
-const Grass::Parts::ViewDrawing& Grass::Parts::drawing(std::uint32_t view) const
+const ViewDrawing& Grass::Parts::drawing(std::uint32_t view) const
 {
     requireUsage(view < viewCount, "view {} of a frame with {} views", view, viewCount);
     return drawings[view];
 }
 
-PlacedField& Grass::Parts::instance(InstanceId id) const
+Recorder::Placed& Grass::Parts::instance(InstanceId id)
 {
     const auto found = placed.find(static_cast<std::uint64_t>(id));
     requireUsage(found != placed.end(), "there is no instance {}, or no more",
                  static_cast<std::uint64_t>(id));
-    return *found->second;
+    return found->second;
 }
 
 void Grass::Parts::requireDevice(const ResidentField::Parts& field) const
@@ -292,9 +188,9 @@ void Grass::Parts::requireDevice(const ResidentField::Parts& field) const
 void Grass::Parts::take(const ResidentField::Parts& field) const
 {
     requireDevice(field);
-    if (field.streaming == nullptr && field.edits == nullptr)
+    if (field.field.streaming == nullptr && field.field.edits == nullptr)
         return;
-    const char* const kind = field.streaming ? "streamed" : "editable";
+    const char* const kind = field.field.streaming ? "streamed" : "editable";
     if (field.budget.framesInFlight < settings.framesInFlight)
         fail(ErrorKind::usage, "the field is {} for {} frames in flight; the grass has {}", kind,
              field.budget.framesInFlight, settings.framesInFlight);
@@ -304,28 +200,122 @@ void Grass::Parts::take(const ResidentField::Parts& field) const
     field.grass = owner;
 }
 
-ViewPyramids Grass::Parts::lookAtDepth(const HostView& view, const ViewDrawing& drawing,
-                                       const FrameSettings& frameSettings, ViewDepth& depth)
+void Grass::recordUpdate(VkCommandBuffer buffer)
 {
-    depth.pyramid = nullptr;
-    depth.isOwn = drawing.obstacle == nullptr && HostRaster::hasOwnPyramid(view, frameSettings) &&
-                  (view.depth || drawing.hasTwoPasses);
-    const std::optional<PyramidPass::Settings> wanted = pyramidOf(view, frameSettings, depth.isOwn);
-    if (!wanted)
-        return {};
-    PyramidPass& pass =
-        pyramids
-            .try_emplace({wanted->samples, wanted->hasReversedZ, wanted->slack}, context, *wanted)
-            .first->second;
-    if (!depth.isOwn)
-        pass.prepare(shaders);
-    if (!readsDepth(view, frameSettings)) {
-        pass.fit(depth.cells, view.size);
-        return {.raster = depth.cells.layout};
+    const gpu::Recording commands = parts_->recording(buffer);
+    requireUsage(!parts_->isUpdated, "Grass::recordUpdate() is called a second time in a frame");
+    const gpu::LabelScope label(parts_->context, commands, "grass/update");
+    parts_->recordUpdate(commands);
+}
+
+void Grass::recordCull(VkCommandBuffer buffer, std::uint32_t view)
+{
+    const gpu::Recording commands = parts_->recording(buffer);
+    parts_->drawing(view);
+    requireUsage(parts_->isUpdated, "Grass::recordCull() needs recordUpdate() before it");
+    const gpu::LabelScope label(parts_->context, commands, "grass/cull");
+    parts_->recordCull(commands, view, nullptr);
+}
+
+void Grass::recordRaster(VkCommandBuffer buffer, std::uint32_t view)
+{
+    const gpu::Recording commands = parts_->recording(buffer);
+    requireUsage(parts_->drawing(view).isCulled,
+                 "Grass::recordRaster() of view {} needs its recordCull() before it", view);
+    if (whyTessellated(view) != nullptr)
+        return;
+    const gpu::LabelScope label(parts_->context, commands, "grass/raster");
+    parts_->recordRaster(commands, view, nullptr);
+}
+
+/// The target is of the device, and suits the view.
+void Grass::Parts::requireTarget(std::uint32_t view, const BladeTarget& target) const
+{
+    requireUsage(target.device() == context.device,
+                 "the target is of another device than the grass");
+    requireUsage(target.settings().hasReversedZ == drawing(view).hasReversedZ,
+                 "HostTarget::hasReversedZ is {}, and HostView::hasReversedZ of view {} is {}",
+                 target.settings().hasReversedZ, view, drawing(view).hasReversedZ);
+    requireUsage(!target.settings().writesMotion || settings.keepsMotion,
+                 "a target that writes motion needs Grass::Settings::keepsMotion");
+}
+
+const char* Grass::whyTessellated(std::uint32_t view, const BladeTarget& target) const
+{
+    const char* const obstacle = whyTessellated(view);
+    parts_->requireTarget(view, target);
+    if (obstacle != nullptr)
+        return obstacle;
+    if (target.settings().samples != parts_->drawing(view).samples)
+        return "the target has another number of samples than the view";
+    return Access::of(target).visibility
+               ? nullptr
+               : "the device draws the rasteriser's result into no such target";
+}
+
+const char* Grass::whyTessellated(std::uint32_t view) const
+{
+    return parts_->drawing(view).obstacle;
+}
+
+const char* Grass::whyNotStored(std::uint32_t view) const
+{
+    return parts_->drawing(view).storeObstacle;
+}
+
+void Grass::recordDraw(VkCommandBuffer buffer, std::uint32_t view, const BladeTarget& target) const
+{
+    const Parts& parts = *parts_;
+    const gpu::Recording commands = parts.recording(buffer);
+    const ViewDrawing& drawing = parts.drawing(view);
+    requireUsage(drawing.isCulled,
+                 "Grass::recordDraw() of view {} needs its recordCull() before it", view);
+    parts.requireTarget(view, target);
+    const gpu::LabelScope label(parts.context, commands, "grass/draw");
+    const BladeTarget::Parts& drawn = Access::of(target);
+    // What is stored is not drawn a second time; only its depth may be.
+    if (drawing.isRastered && drawing.storeObstacle == nullptr &&
+        !target.settings().colorFormats.empty())
+        return;
+    if (drawing.isRastered && whyTessellated(view, target) == nullptr) {
+        parts.raster.recordDraw(commands, parts.slot, view, *drawn.visibility);
+        return;
     }
-    depth.pyramid = &pass;
-    pass.fit(depth.cells, view.depth->view, view.depth->layout, view.size);
-    return {.culling = depth.cells.layout, .raster = depth.cells.layout};
+    const bool isColored = !target.settings().colorFormats.empty();
+    const gpu::GraphicsPipeline& pipeline =
+        isColored && parts.shadowMaps.isLit(parts.slot, view) ? drawn.hostLight : drawn.tessellated;
+    pipeline.bind(commands);
+    if (isColored)
+        parts.shadowMaps.of(parts.slot, view)
+            .bind(commands, VK_PIPELINE_BIND_POINT_GRAPHICS, pipeline.layout());
+    parts.forEach([&](const PlacedField& field) {
+        if (field.blades().bladeCount() == 0)
+            return;
+        // A late list is that of a view with two passes, in a target that the view does not suit.
+        for (std::uint32_t list = 0; list < (drawing.hasTwoPasses ? 2u : 1u); ++list) {
+            pipeline.push(
+                commands,
+                shared::BladePush{
+                    .frame =
+                        field.place(parts.slot, InstanceConstants::Kind::drawing, view).address,
+                    .rounds = field.list(view).rounds().address(),
+                    .motion = target.settings().writesMotion ? field.motion(parts.slot, view) : 0,
+                    .isLate = list,
+                    .reserved = 0});
+            commands.vk->CmdDrawIndirect(commands, field.list(view).draw().get(),
+                                         list * sizeof(shared::DrawArguments), 1,
+                                         sizeof(shared::DrawArguments));
+        }
+    });
+}
+
+void Grass::recordDepth(VkCommandBuffer commands, std::uint32_t view,
+                        const BladeTarget& target) const
+{
+    requireUsage(target.settings().colorFormats.empty(),
+                 "Grass::recordDepth() draws into a target without colours; this one has {}",
+                 target.settings().colorFormats.size());
+    recordDraw(commands, view, target);
 }
 
 FrameStats Grass::stats(std::uint32_t view, std::uint32_t slot) const
@@ -334,8 +324,8 @@ FrameStats Grass::stats(std::uint32_t view, std::uint32_t slot) const
     requireUsage(view < parts_->settings.maxViews, "view {}, and Grass::Settings::maxViews is {}",
                  view, parts_->settings.maxViews);
     FrameStats sum;
-    for (const auto& [id, field] : parts_->placed)
-        field->addCounts(slot, view, sum);
+    for (const auto& [id, instance] : parts_->placed)
+        instance.field->addCounts(slot, view, sum);
     return sum;
 }
 
@@ -351,15 +341,7 @@ const Grass::Settings& Grass::settings() const
 
 VkDeviceSize Grass::deviceBytes() const
 {
-    VkDeviceSize sum = 0;
-    for (const auto& [id, field] : parts_->placed)
-        sum += field->bytes();
-    for (const Parts::Removed& removed : parts_->removed)
-        sum += removed.field->bytes();
-    for (const Parts::ViewDepth& depth : parts_->depths)
-        sum += depth.cells.bytes();
-    sum += parts_->raster.bytes();
-    return sum;
+    return parts_->deviceBytes();
 }
 
 } // namespace sward::render

@@ -4,9 +4,9 @@
 #include "gpu/context/context.h"
 #include "gpu/pipeline/shader_library.h"
 #include "gpu/recording/recording.h"
+#include "render/edits/field_edits.h"
 #include "render/field/baked_blades.h"
 #include "render/field/blade_states.h"
-#include "render/edits/field_edits.h"
 #include "render/field/grass_cover.h"
 #include "render/field/outgrown.h"
 #include "render/frame/frame.h"
@@ -35,6 +35,9 @@ public:
                   std::uint32_t framesInFlight);
 
     std::uint32_t framesInFlight() const { return framesInFlight_; }
+
+    /// The field after all edits.
+    const EditedField& field() const { return edits_.field(); }
 
     /// See Grass::edit().
     void apply(const field::Delta& delta);

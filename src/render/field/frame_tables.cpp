@@ -30,25 +30,4 @@ void writeTables(TablePlace place, const FieldShape& field, const FrameSettings&
     environment.colliders.address = place.address;
 }
 
-FrameTables::FrameTables(const gpu::DeviceContext& context)
-    : buffer_(context, {.name = "frame/tables",
-                        .bytes = tableBytes(),
-                        .usage = VK_BUFFER_USAGE_STORAGE_BUFFER_BIT,
-                        .memory = gpu::MemoryUse::constants})
-{
-}
-
-VkDeviceSize FrameTables::bytes()
-{
-    return tableBytes();
-}
-
-void FrameTables::write(const FieldShape& field, const FrameSettings& settings,
-                        std::span<const shared::Collider> colliders, double time,
-                        shared::Frame& frame) const
-{
-    writeTables({buffer_.mapped().data(), buffer_.address()}, field, settings, colliders, time,
-                frame);
-}
-
 } // namespace sward::render

@@ -7,20 +7,20 @@
 namespace sward::render {
 namespace {
 
-VkDeviceSize historyBytes(std::uint32_t blades)
-{
-    return (blades / shared::bladesOfHistoryWord + 1) * sizeof(std::uint32_t);
-}
-
 gpu::Buffer historyOf(const gpu::DeviceContext& context, std::uint32_t blades)
 {
     return {context,
             {.name = "raster/visibility history",
-             .bytes = historyBytes(blades),
+             .bytes = VisibilityHistory::bytesOf(blades),
              .usage = VK_BUFFER_USAGE_STORAGE_BUFFER_BIT | VK_BUFFER_USAGE_TRANSFER_DST_BIT}};
 }
 
 } // namespace
+
+VkDeviceSize VisibilityHistory::bytesOf(std::uint32_t blades)
+{
+    return (blades / shared::bladesOfHistoryWord + 1) * sizeof(std::uint32_t);
+}
 
 VisibilityHistory::VisibilityHistory(const gpu::DeviceContext& context, std::uint32_t blades)
     : bits_(historyOf(context, blades))
@@ -43,7 +43,7 @@ gpu::Buffer VisibilityHistory::grow(const gpu::DeviceContext& context, std::uint
 
 bool VisibilityHistory::hasRoomFor(std::uint32_t blades) const
 {
-    return bits_.bytes() == 0 || historyBytes(blades) <= bits_.bytes();
+    return bits_.bytes() == 0 || VisibilityHistory::bytesOf(blades) <= bits_.bytes();
 }
 
 } // namespace sward::render

@@ -30,6 +30,7 @@ public:
     bool hasRoomFor(std::uint32_t blades) const; ///< also if there is no history
 
     VkDeviceSize bytes() const { return bits_.bytes(); }
+    static VkDeviceSize bytesOf(std::uint32_t blades); ///< of a history of blades
 
 private:
     gpu::Buffer bits_;

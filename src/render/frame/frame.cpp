@@ -218,4 +218,15 @@ shared::Frame frameOf(const FieldShape& field, const ViewMatrices& view,
     return frame;
 }
 
+shared::Frame listingAll(const shared::Frame& frame)
+{
+    shared::Frame all = frame;
+    all.view.cullMask = 0;
+    all.view.lodThreshold = 0.0f;
+    all.view.maxLeafArea = 0.0f;
+    all.cullResults = 0;
+    all.pyramid = {};
+    return all;
+}
+
 } // namespace sward::render

@@ -28,9 +28,12 @@ void look(shared::Frame& frame, const ViewMatrices& view);
 /// The culling tests and the level of detail of a view, so far as the settings tell them.
 shared::Eyepoint testsOf(const FrameSettings& settings);
 
-/// Camera, settings and time in shader form. FieldBuffers::describe() and FrameTables::write() add
-/// the addresses and counts of buffers.
+/// Camera, settings and time in shader form. PlacedField::write() adds the
+/// addresses and counts of buffers.
 shared::Frame frameOf(const FieldShape& field, const ViewMatrices& view,
                       const FrameSettings& settings, double time, std::uint32_t samples);
+
+/// The frame that lists every blade for the picture and keeps the cull results found before.
+shared::Frame listingAll(const shared::Frame& frame);
 
 } // namespace sward::render

@@ -1,45 +1,50 @@
 #pragma once
 
 #include "gpu/memory/buffer.h"
-#include "gpu/pipeline/uniform_sets.h"
 #include "gpu/recording/recording.h"
 #include "render/field/blade_states.h"
 #include "render/field/outgrown.h"
 #include "render/field/visibility_history.h"
 #include "render/field/visible_blades.h"
-#include "render/frame/frame_place.h"
-#include "render/frame/frame_settings.h"
 #include "render/frame/frame_stats.h"
-#include "render/grass.h"
-#include "render/resident/resident_parts.h"
+#include "render/resident/device_field.h"
+#include "render/resident/instance_constants.h"
+#include "render/resident/instance_frame.h"
+#include "render/resident/resident_field.h"
 #include "shaders/shared/frame.h"
-#include "shaders/shared/passes.h"
 
 #include <vulkan/vulkan.h>
 
 #include <cstdint>
+#include <memory>
 #include <span>
 #include <vector>
 
 namespace sward::render {
 
-/// What hides blades in a view.
-struct ViewPyramids {
-    shared::DepthPyramid culling = {}; ///< for the cull; without depths it hides nothing
-    shared::DepthPyramid raster = {};  ///< for the late pass
-};
-
 /// One instance: a field's blades with their own state, and the constants of its frames.
 class PlacedField {
 public:
-    PlacedField(const gpu::DeviceContext& context, const FieldInstance& instance,
-                const Grass::Settings& settings);
+    /// Constant over all frames.
+    struct Settings {
+        std::uint32_t framesInFlight = 1;
+        std::uint32_t maxViews = 1;
+        bool keepsMotion = false;                 ///< the states before the last motion
+        bool keepsCullResults = false;            ///< of each blade
+        std::uint32_t maxListed = 0xffffffffu;    ///< blades of a view's list
+        std::uint32_t roundPatches = 0xffffffffu; ///< visible patches of a view's list
+    };
 
-    void place(const Placement& placement) { instance_.placement = placement; }
+    /// The field must outlive it; `resident` keeps it, and says when it is uploaded. Null: it is.
+    PlacedField(const gpu::DeviceContext& context, const DeviceField& field,
+                const Settings& settings, std::shared_ptr<const ResidentField> resident = nullptr);
 
-    /// Writes frame `number` for the shaders, and allocates lists for its views if needed.
-    void write(std::uint32_t slot, const GrassFrame& frame, std::uint32_t number,
-               std::span<const ViewPyramids> pyramids);
+    /// Makes the lists of so many views; write() does so for those of its frame.
+    void expectViews(std::uint32_t views);
+
+    /// Writes frame `number` of the grass for the shaders, and allocates lists for its views if
+    /// needed.
+    void write(std::uint32_t slot, const InstanceFrame& frame, std::uint32_t number);
 
     /// Makes the visibility history of a view, unless there is one.
     void expectHistory(std::uint32_t view);
@@ -47,26 +52,38 @@ public:
     const VisibilityHistory& history(std::uint32_t view) const { return histories_[view]; }
 
     bool isInFrame(std::uint32_t number) const { return written_ == number; }
-    bool isUploaded() const { return instance_.field->isUploaded(); }
+    bool isUploaded() const { return !resident_ || resident_->isUploaded(); }
+    bool hasMoved() const { return hasMoved_; } ///< a frame has been recorded
 
-    const BakedBlades& blades() const { return Access::of(*instance_.field).blades; }
+    const DeviceField& field() const { return *field_; }
+    const BakedBlades& blades() const { return field_->blades; }
     const BladeStates& states() const { return states_; }
     const VisibleBlades& list(std::uint32_t view) const { return lists_[view]; }
-    const ResidentField& field() const { return *instance_.field; }
 
     /// Whether a view's list has room for every blade.
     bool listsHoldAll() const { return settings_.maxListed >= blades().placeCount(); }
     const gpu::Buffer& moved() const { return moved_; } ///< shared::DrawArguments of the update
 
-    /// Frames of one view: for moving its blades, for culling, and for drawing with either
-    /// back-end. The update frames of all views are contiguous.
-    FramePlace updateFrame(std::uint32_t slot, std::uint32_t view) const;
-    FramePlace cullView(std::uint32_t slot, std::uint32_t view) const;
-    FramePlace drawnFrame(std::uint32_t slot, std::uint32_t view) const;
-    FramePlace rasterFrame(std::uint32_t slot, std::uint32_t view) const; ///< always reversed Z
+    /// Cull results of the blades in memory; empty unless they are kept.
+    const gpu::Buffer& cullResults() const { return cullResults_; }
+
+    /// Before a frame culls: every blade counts as culled with its patch.
+    void clearCullResults(const gpu::Recording& commands) const;
+
+    /// Upper bound of the rounds in which a view of the frame written last lists its blades.
+    std::uint32_t roundCount(std::uint32_t view) const;
+
+    /// A frame of one view.
+    FramePlace place(std::uint32_t slot, InstanceConstants::Kind kind, std::uint32_t view) const
+    {
+        return constants_.place(slot, kind, view);
+    }
 
     /// shared::Motion of one view.
-    VkDeviceAddress motion(std::uint32_t slot, std::uint32_t view) const;
+    VkDeviceAddress motion(std::uint32_t slot, std::uint32_t view) const
+    {
+        return constants_.motion(slot, view);
+    }
 
     /// Wind and colliders of the frame written last.
     const shared::Environment& environment() const { return environment_; }
@@ -75,13 +92,16 @@ public:
     std::span<const shared::Eyepoint> seen() const { return seen_; }
 
     /// Raises the lodThreshold of that frame, which the device has not read yet: one per view.
-    void thin(std::uint32_t slot, std::span<const shared::Eyepoint> raised) const;
+    void thin(std::uint32_t slot, std::span<const shared::Eyepoint> raised);
 
     /// The streaming of its field; null if all blades are resident.
-    Streaming* streaming() const { return Access::of(*instance_.field).streaming.get(); }
+    Streaming* streaming() const { return field_->streaming.get(); }
 
     /// The edits of its field; null if it is not editable.
-    ResidentEdits* edits() const { return Access::of(*instance_.field).edits.get(); }
+    ResidentEdits* edits() const { return field_->edits.get(); }
+
+    /// Makes room for what edits have added to its field.
+    void followEdits();
 
     /// Copies the states to larger buffers, if edits have replaced these. The former commands of
     /// `slot` must have completed.
@@ -98,38 +118,27 @@ public:
 
     VkDeviceSize bytes() const;
 
+    /// What bytes() counts besides states, lists, cull results and histories.
+    static VkDeviceSize constantBytes(const Settings& settings);
+
 private:
-    struct Slot {
-        gpu::Buffer constants;    ///< tables; of each view: four frames, shared::Motion, HostLight
-        gpu::UniformSets frames;  ///< of those frames
-        gpu::Buffer counts;       ///< shared::DrawArguments of the update, then of each view
-        std::uint64_t blades = 0; ///< of the field in that frame
-    };
-
-    void followEdits();
-
-    VkDeviceSize motionOffset(std::uint32_t view) const;
-    VkDeviceSize lightOffset(std::uint32_t view) const;
-    shared::Motion motionOf(const GrassFrame& frame, const HostView& view) const;
-    std::uint32_t frameIndex(std::uint32_t kind, std::uint32_t view) const;
-    VkDeviceSize frameOffset(std::uint32_t kind, std::uint32_t view) const;
-    FramePlace framePlace(std::uint32_t slot, std::uint32_t kind, std::uint32_t view) const;
-    void put(std::uint32_t slot, std::uint32_t kind, std::uint32_t view,
-             const shared::Frame& frame) const;
+    shared::Motion motionOf(const InstanceFrame& frame, const InstanceView& view) const;
 
     const gpu::DeviceContext* context_;
-    FieldInstance instance_;
-    Grass::Settings settings_;
+    const DeviceField* field_;
+    Settings settings_;
+    std::shared_ptr<const ResidentField> resident_;
     BladeStates states_;
     gpu::Buffer moved_;
     std::vector<VisibleBlades> lists_;
+    gpu::Buffer cullResults_;
     std::vector<VisibilityHistory> histories_; ///< by view; empty ones unless there are two passes
     bool hasNewEtas_ = false;                  ///< the collision state is uninitialised
     ReplacedBuffers replaced_;
-    std::vector<Slot> slots_;
+    InstanceConstants constants_;
+    std::vector<std::uint64_t> bladesOfSlot_; ///< blades of the field in each slot's frame
     std::vector<shared::Eyepoint> seen_;
     shared::Environment environment_ = {};
-    Placement placementBefore_; ///< of the frame written before
     double timeBefore_ = 0.0;
     double movedTo_ = 0.0;      ///< [s] time of the last motion
     std::uint32_t written_ = 0; ///< number of the frame written last

@@ -81,39 +81,32 @@ std::uint32_t pagesOf(const field::FieldView& field, const FieldBudget& budget,
                                }});
 }
 
-BakedBlades bladesOf(const gpu::DeviceContext& context, gpu::BufferUpload& upload,
-                     const field::FieldView& field, const FieldBudget& budget,
-                     const EditedField* edited, std::uint64_t others)
+DeviceField fieldOf(const gpu::DeviceContext& context, gpu::BufferUpload& upload,
+                    const field::FieldView& field, const FieldBudget& budget)
 {
-    if (edited != nullptr)
-        return {context, upload, field, *edited};
-    return {context, upload, field, context.isCpu() ? shared::walkStart : shared::walkStartOfGpu,
-            pagesOf(field, budget, others)};
+    GrassCover cover(context, upload, field, budget.isEditable);
+    DeviceField::Settings settings{.walkStart =
+                                       context.isCpu() ? shared::walkStart : shared::walkStartOfGpu,
+                                   .framesInFlight = budget.framesInFlight};
+    settings.edited = editedOf(field, budget, cover.bytes());
+    if (!settings.edited)
+        settings.pages = pagesOf(field, budget, cover.bytes());
+    settings.streaming = streamingWithin(budget, settings.pages);
+    return {context,          gpu::ShaderLibrary(embedded::shaders()),
+            upload,           field,
+            std::move(cover), std::move(settings)};
 }
 
 } // namespace
 
-ResidentField::Parts::Parts(const gpu::DeviceContext& deviceContext, const field::FieldView& field,
+ResidentField::Parts::Parts(const gpu::DeviceContext& deviceContext, const field::FieldView& view,
                             const FieldBudget& wanted)
-    : context(contextForField(deviceContext, field, wanted))
+    : context(contextForField(deviceContext, view, wanted))
     , upload(context)
-    , cover(context, upload, field, wanted.isEditable)
     , budget(wanted)
-    , edited(editedOf(field, wanted, cover.bytes()))
-    , blades(bladesOf(context, upload, field, wanted, edited.get(), cover.bytes()))
-    , shape{field.origin, field.bounds(), blades.bladeSize()}
-    , looks(looksOf(field))
-    , defaults(*field.defaults)
+    , field(fieldOf(context, upload, view, wanted))
+    , defaults(*view.defaults)
 {
-    const gpu::ShaderLibrary shaders(embedded::shaders());
-    if (blades.isPaged())
-        streaming = std::make_unique<Streaming>(
-            context, shaders, field, blades,
-            streamingWithin(budget, blades.placeCount() / shared::pageBlades));
-    if (edited)
-        edits = std::make_unique<ResidentEdits>(context, shaders, std::move(edited),
-                                                ResidentEdits::Field{blades, cover, shape},
-                                                budget.framesInFlight);
 }
 
 ResidentField::ResidentField(const gpu::DeviceContext& context, const field::OwnedField& field,
@@ -151,17 +144,17 @@ void ResidentField::releaseStaging()
 
 bool ResidentField::isStreamed() const
 {
-    return parts_->streaming != nullptr;
+    return parts_->field.streaming != nullptr;
 }
 
 glm::dvec3 ResidentField::origin() const
 {
-    return parts_->shape.origin;
+    return parts_->field.shape.origin;
 }
 
 Aabb ResidentField::content() const
 {
-    return parts_->shape.content;
+    return parts_->field.shape.content;
 }
 
 const field::Defaults& ResidentField::defaults() const
@@ -171,9 +164,7 @@ const field::Defaults& ResidentField::defaults() const
 
 VkDeviceSize ResidentField::deviceBytes() const
 {
-    return parts_->blades.bytes() + parts_->cover.bytes() +
-           (parts_->streaming ? parts_->streaming->bytes() : 0) +
-           (parts_->edits ? parts_->edits->bytes() : 0);
+    return parts_->field.bytes();
 }
 
 VkDeviceSize ResidentField::stagingBytes() const

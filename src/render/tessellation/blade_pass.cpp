@@ -30,18 +30,16 @@ BladePass::BladePass(const gpu::DeviceContext& context, const gpu::ShaderLibrary
     pipeline_ = gpu::GraphicsPipeline(context, shaders, settings);
 }
 
-void BladePass::record(const gpu::Recording& commands, const FieldBuffers& field,
+void BladePass::record(const gpu::Recording& commands, const VisibleBlades& list,
                        VkDeviceAddress frame) const
 {
-    if (field.bladeCount() == 0)
-        return;
     pipeline_.bind(commands);
     pipeline_.push(commands, shared::BladePush{.frame = frame,
-                                               .rounds = field.list().rounds().address(),
+                                               .rounds = list.rounds().address(),
                                                .motion = 0,
                                                .isLate = 0,
                                                .reserved = 0});
-    commands.vk->CmdDrawIndirect(commands, field.draw().get(), 0, 1, sizeof(shared::DrawArguments));
+    commands.vk->CmdDrawIndirect(commands, list.draw().get(), 0, 1, sizeof(shared::DrawArguments));
 }
 
 } // namespace sward::render

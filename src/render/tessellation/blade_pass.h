@@ -4,7 +4,7 @@
 #include "gpu/pipeline/graphics_pipeline.h"
 #include "gpu/pipeline/shader_library.h"
 #include "gpu/recording/recording.h"
-#include "render/cull/field_buffers.h"
+#include "render/field/visible_blades.h"
 #include "render/resolve/target_settings.h"
 
 #include <vulkan/vulkan.h>
@@ -22,7 +22,7 @@ public:
               const TargetSettings& target);
 
     /// Inside a rendering.
-    void record(const gpu::Recording& commands, const FieldBuffers& field,
+    void record(const gpu::Recording& commands, const VisibleBlades& list,
                 VkDeviceAddress frame) const;
 
 private:

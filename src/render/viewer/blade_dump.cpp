@@ -59,20 +59,21 @@ void append(std::vector<T>& elements, const std::vector<T>& more)
 } // namespace
 
 std::vector<FieldRenderer::BladeRecord> readBlades(const gpu::DeviceContext& context,
-                                                   const FieldBuffers& buffers,
+                                                   const PlacedField& blades,
                                                    const field::FieldView& field,
                                                    std::span<const std::uint32_t> places)
 {
     gpu::check(context.vk.DeviceWaitIdle(context.device), "vkDeviceWaitIdle");
-    const auto turns = gpu::readBufferAs<std::uint32_t>(context, buffers.states());
+    const auto turns = gpu::readBufferAs<std::uint32_t>(context, blades.states().states());
     std::vector<float> etas(turns.size(), 0.0f);
-    if (buffers.hasEtas())
-        etas = gpu::readBufferAs<float>(context, buffers.etas());
-    const auto visible = gpu::readBufferAs<shared::VisibleBlade>(context, buffers.visible());
-    const auto rounds = gpu::readBufferAs<shared::WalkLevel>(context, buffers.list().rounds());
+    if (blades.states().hasEtas())
+        etas = gpu::readBufferAs<float>(context, blades.states().etas());
+    const VisibleBlades& list = blades.list(0);
+    const auto visible = gpu::readBufferAs<shared::VisibleBlade>(context, list.visible());
+    const auto rounds = gpu::readBufferAs<shared::WalkLevel>(context, list.rounds());
     std::vector<std::uint32_t> cullResults;
-    if (buffers.cullResults().bytes() > 0)
-        cullResults = gpu::readBufferAs<std::uint32_t>(context, buffers.cullResults());
+    if (blades.cullResults().bytes() > 0)
+        cullResults = gpu::readBufferAs<std::uint32_t>(context, blades.cullResults());
 
     // Pose each blade of each patch.
     const std::vector<shared::Organ> organs = field::organTable(field.species);
@@ -102,14 +103,14 @@ std::vector<FieldRenderer::BladeRecord> readBlades(const gpu::DeviceContext& con
     };
     const std::size_t first = std::min<std::size_t>(rounds[0].count, visible.size());
     const std::size_t late =
-        std::min<std::size_t>(rounds[buffers.list().roundCount()].count, visible.size() - first);
+        std::min<std::size_t>(rounds[list.roundCount()].count, visible.size() - first);
     std::for_each_n(visible.begin(), first, drawn);
     std::for_each_n(visible.rbegin(), late, drawn);
     return records;
 }
 
 std::vector<FieldRenderer::BladeRecord>
-readPatch(const gpu::DeviceContext& context, const FieldBuffers& buffers,
+readPatch(const gpu::DeviceContext& context, const PlacedField& blades,
           const field::FieldView& field, std::uint32_t patch, std::span<const BladePart> parts)
 {
     const shared::Patch& cell = field.patches[patch];
@@ -117,11 +118,11 @@ readPatch(const gpu::DeviceContext& context, const FieldBuffers& buffers,
     std::vector<float> etas;
     std::vector<std::uint32_t> cullResults;
     for (const BladePart& part : parts) {
-        append(turns, readPart<std::uint32_t>(context, buffers.states(), part));
-        if (buffers.hasEtas())
-            append(etas, readPart<float>(context, buffers.etas(), part));
-        if (buffers.cullResults().bytes() > 0)
-            append(cullResults, readPart<std::uint32_t>(context, buffers.cullResults(), part));
+        append(turns, readPart<std::uint32_t>(context, blades.states().states(), part));
+        if (blades.states().hasEtas())
+            append(etas, readPart<float>(context, blades.states().etas(), part));
+        if (blades.cullResults().bytes() > 0)
+            append(cullResults, readPart<std::uint32_t>(context, blades.cullResults(), part));
     }
     if (turns.size() < cell.bladeCount)
         return {};

@@ -2,7 +2,7 @@
 
 #include "field/field.h"
 #include "gpu/context/context.h"
-#include "render/cull/field_buffers.h"
+#include "render/resident/placed_field.h"
 #include "render/streaming/streaming.h"
 #include "render/viewer/field_renderer.h"
 
@@ -15,14 +15,14 @@ namespace sward::render {
 /// The state of every blade after the last frame, in file order. Waits for the device. `places`: of
 /// each blade on the device, if they are not in file order.
 std::vector<FieldRenderer::BladeRecord> readBlades(const gpu::DeviceContext& context,
-                                                   const FieldBuffers& buffers,
+                                                   const PlacedField& blades,
                                                    const field::FieldView& field,
                                                    std::span<const std::uint32_t> places);
 
 /// The same for one patch, whose blades are in memory at `parts`; empty without parts. Leaves the
 /// width factors unset.
 std::vector<FieldRenderer::BladeRecord>
-readPatch(const gpu::DeviceContext& context, const FieldBuffers& buffers,
+readPatch(const gpu::DeviceContext& context, const PlacedField& blades,
           const field::FieldView& field, std::uint32_t patch, std::span<const BladePart> parts);
 
 } // namespace sward::render

@@ -1,13 +1,11 @@
 #include "render/viewer/field_renderer.h"
 
-#include "core/embedded.h"
 #include "core/error.h"
 #include "gpu/context/check.h"
 #include "gpu/device/device.h"
 #include "gpu/memory/upload.h"
-#include "gpu/recording/barrier.h"
-#include "render/cull/cull_view.h"
 #include "render/cull/pass_scope.h"
+#include "render/frame/frame.h"
 #include "render/frame/frame_time.h"
 #include "render/viewer/blade_dump.h"
 #include "render/viewer/exposure.h"
@@ -21,20 +19,29 @@
 #include <optional>
 #include <utility>
 
-namespace sward::embedded {
-std::span<const EmbeddedFile> shaders();
-} // namespace sward::embedded
-
 namespace sward::render {
 namespace {
 
-FieldBuffers::Records recordsFor(const gpu::DeviceContext& context, Geometry geometry,
-                                 const FieldRenderer::Settings& wanted)
+BladeRecords recordsFor(Geometry geometry, const FieldRenderer::Settings& wanted)
 {
     return {.list = geometry == Geometry::tessellation || wanted.recordCullResults,
             .cullResults = wanted.recordCullResults,
-            .roundPatches = wanted.roundPatches,
-            .walkStart = context.isCpu() ? shared::walkStart : shared::walkStartOfGpu};
+            .roundPatches = wanted.roundPatches};
+}
+
+Grass::Settings grassSettings(const FieldRenderer::Settings& wanted)
+{
+    return {.framesInFlight = wanted.framesInFlight,
+            .maxViews = 1,
+            .keepsMotion = false,
+            .rastersForCpu = wanted.rastersForCpu};
+}
+
+PlacedField::Settings bladeSettings(const FieldRenderer::Settings& wanted)
+{
+    return {.framesInFlight = wanted.framesInFlight,
+            .maxViews = 1,
+            .keepsCullResults = wanted.recordCullResults};
 }
 
 constexpr std::uint64_t ofColliders =
@@ -69,46 +76,40 @@ std::optional<T> madeIf(bool isWanted, const Arguments&... arguments)
 
 } // namespace
 
-FieldRenderer::Parts::Parts(const gpu::DeviceContext& deviceContext, const field::FieldView& field,
+FieldRenderer::Parts::Parts(const gpu::DeviceContext& deviceContext, const field::FieldView& view,
                             const Settings& wanted)
-    : context(checked(deviceContext, field, wanted))
-    , settings(wanted)
-    , geometry(chooseGeometry(context, wanted))
-    , shaders(wanted.shaders.empty() ? embedded::shaders() : wanted.shaders)
-    , targetSettings(targetFor(context, field, wanted))
-    , ground(uploaded<GroundBuffers>(context, *field.ground))
-    , cover(uploaded<GrassCover>(context, field, wanted.isEditable))
-    , sunShadow(context, shaders, ground.box(), wanted.deviceBytes == 0)
-    , pyramid(context, shaders, wanted.samples, geometry == Geometry::tessellation)
+    : settings(wanted)
+    , geometry(chooseGeometry(checked(deviceContext, view, wanted), wanted))
+    , recorder(deviceContext, grassSettings(wanted),
+               {.shaders = wanted.shaders,
+                .testsSmall = wanted.testsSmallBlades.value_or(!deviceContext.isCpu())})
+    , context(recorder.context)
+    , targetSettings(targetFor(context, view, wanted))
+    , ground(uploaded<GroundBuffers>(context, *view.ground))
+    , sunShadow(context, recorder.shaders, ground.box(), wanted.deviceBytes == 0)
     , attachments(madeIf<Attachments>(geometry == Geometry::tessellation, context, targetSettings))
-    , opaque(madeIf<OpaquePass>(geometry == Geometry::tessellation, context, shaders,
+    , opaque(madeIf<OpaquePass>(geometry == Geometry::tessellation, context, recorder.shaders,
                                 targetSettings, ground))
-    , tessellated(madeIf<TessellatedPass>(geometry == Geometry::tessellation, context, shaders,
-                                          targetSettings))
-    , opaqueRaster(madeIf<OpaqueRasterPass>(geometry == Geometry::raster, context, shaders, ground,
-                                            targetSettings))
-    , raster(madeIf<ViewerRaster>(geometry == Geometry::raster, context, targetSettings,
-                                  static_cast<std::uint32_t>(field.blades.size())))
-    , resolve(madeIf<ResolvePass>(geometry == Geometry::raster, context, shaders, targetSettings,
-                                  wanted.framesInFlight))
-    , plan(planWithin(field))
-    , edited(editedOf(field))
-    , blades(context, shaders, uploaded<FieldBuffers>(context, field, plan.records, edited.get()),
-             wanted.testsSmallBlades.value_or(!context.isCpu()))
-    , shape{field.origin, field.bounds(), blades.buffers().bladeSize(), chosenExposure(field)}
+    , tessellated(madeIf<TessellatedPass>(geometry == Geometry::tessellation, context,
+                                          recorder.shaders, targetSettings))
+    , opaqueRaster(madeIf<OpaqueRasterPass>(geometry == Geometry::raster, context, recorder.shaders,
+                                            ground, targetSettings))
+    , resolve(madeIf<ResolvePass>(geometry == Geometry::raster, context, recorder.shaders,
+                                  targetSettings, wanted.framesInFlight))
+    , layer{.isBgr = wanted.colorFormat == VK_FORMAT_B8G8R8A8_SRGB}
+    , records(recordsFor(geometry, wanted))
+    , field(uploadedField(view))
 {
-    if (raster)
-        expectNumbers(context, field.blades.size(), ground.triangleCount());
-    if (edited) {
-        blades.expectEdits(shaders, std::move(edited), cover, wanted.framesInFlight);
-        if (raster)
-            raster->expectBlades(blades.buffers().baked().placeCount(), blades.replaced());
-    }
-    if (plan.records.pages > 0)
-        streaming.emplace(context, shaders, field, blades.buffers().baked(), plan.streaming);
-    const gpu::UniformSetLayout frameLayout(context, "frame");
-    for (std::uint32_t i = 0; i < wanted.framesInFlight; ++i)
-        slots.emplace_back(context, frameLayout);
+    if (geometry == Geometry::raster)
+        expectNumbers(context, view.blades.size(), ground.triangleCount());
+    PlacedField::Settings own = bladeSettings(wanted);
+    own.roundPatches = roundPatchesOf(field->blades, records);
+    auto placed = std::make_unique<PlacedField>(context, *field, own);
+    blades = placed.get();
+    blades->expectViews(1);
+    if (geometry == Geometry::raster && recorder.raster.drawsLargeByGroups())
+        blades->expectHistory(0);
+    recorder.placed.emplace(1, Recorder::Placed{.field = std::move(placed)});
 }
 
 FieldRenderer::FieldRenderer(const gpu::Device& device, const field::FieldView& field,
@@ -134,27 +135,61 @@ FieldRenderer::FieldRenderer(const gpu::DeviceContext& context, const field::Fie
 FieldRenderer::FieldRenderer(FieldRenderer&&) noexcept = default;
 FieldRenderer::~FieldRenderer() = default;
 
-/// Pictures are allocated once to measure their memory.
-MemoryPlan FieldRenderer::Parts::planWithin(const field::FieldView& field)
+std::unique_ptr<DeviceField> FieldRenderer::Parts::uploadedField(const field::FieldView& view)
 {
-    const FieldBuffers::Records records = recordsFor(context, geometry, settings);
+    gpu::Uploader uploader(context);
+    GrassCover cover(context, uploader, view, settings.isEditable);
+    const MemoryPlan plan = planWithin(view, cover.bytes());
+    requireMemory(context, view, records, plan);
+    DeviceField::Settings own{.walkStart =
+                                  context.isCpu() ? shared::walkStart : shared::walkStartOfGpu,
+                              .pages = plan.pages,
+                              .streaming = plan.streaming,
+                              .framesInFlight = settings.framesInFlight,
+                              .exposure = chosenExposure(view),
+                              .boundsRounds = true};
+    if (settings.isEditable && plan.pages == 0)
+        own.edited = editedOf(view);
+    auto made = std::make_unique<DeviceField>(context, recorder.shaders, uploader, view,
+                                              std::move(cover), std::move(own));
+    uploader.finish();
+    return made;
+}
+
+/// Pictures are allocated once to measure their memory.
+MemoryPlan FieldRenderer::Parts::planWithin(const field::FieldView& view, VkDeviceSize coverBytes)
+{
     if (settings.deviceBytes == 0)
-        return {.records = records, .streaming = {}};
-    fit(settings.largestTarget);
-    return planFor(field, records,
+        return {};
+    measurePictures();
+    std::uint64_t others = coverBytes + bytesBesideBlades() +
+                           PlacedField::constantBytes(bladeSettings(settings)) +
+                           (resolve ? resolve->bytesToCopy() : 0);
+    if (geometry == Geometry::raster && recorder.raster.drawsLargeByGroups())
+        others += VisibilityHistory::bytesOf(static_cast<std::uint32_t>(view.blades.size()));
+    return planFor(view, records,
                    {.bytes = settings.deviceBytes,
-                    .others = bytesBesideBlades() + (resolve ? resolve->bytesToCopy() : 0),
+                    .others = others,
                     .framesInFlight = settings.framesInFlight,
                     .waitsForDisk = settings.waitsForDisk});
 }
 
-std::unique_ptr<EditedField> FieldRenderer::Parts::editedOf(const field::FieldView& field) const
+void FieldRenderer::Parts::measurePictures()
 {
-    if (!settings.isEditable || plan.records.pages > 0)
-        return nullptr;
+    fit(settings.largestTarget);
+    const FrameSettings plain;
+    const View view{.target = settings.largestTarget, .geometry = geometry};
+    const HostView seen = hostView(view, plain);
+    for (std::uint32_t slot = 0; slot < settings.framesInFlight; ++slot)
+        recorder.begin(slot, {.views = {&seen, 1}, .settings = plain},
+                       {.layer = geometry == Geometry::raster ? &layer : nullptr}, {});
+}
+
+std::unique_ptr<EditedField> FieldRenderer::Parts::editedOf(const field::FieldView& view) const
+{
     const std::uint64_t triangles = geometry == Geometry::raster ? ground.triangleCount() : 0;
     return std::make_unique<EditedField>(
-        field, plan.records.walkStart,
+        view, context.isCpu() ? shared::walkStart : shared::walkStartOfGpu,
         static_cast<std::uint32_t>(most - 1 - std::min(most - 1, triangles + ofColliders)));
 }
 
@@ -166,100 +201,96 @@ void FieldRenderer::Parts::fit(glm::uvec2 size)
     if (pictureSize != glm::uvec2(0))
         gpu::check(context.vk.DeviceWaitIdle(context.device), "vkDeviceWaitIdle");
     pictureSize = size;
-    hasPyramid = false;
-    if (raster) {
+    frozen = {};
+    if (geometry == Geometry::raster) {
         const VkExtent2D extent{size.x, size.y};
-        pyramid.resize(extent);
         opaqueRaster->resize(extent);
-        raster->resize(extent);
         resolve->resize(extent, opaqueRaster->lit());
         return;
     }
     attachments->resize(size);
-    pyramid.resize(attachments->depth());
     tessellated->resize(size);
 }
 
-/// Streams visible blades in, and raises the thinning to the resident blades.
-void FieldRenderer::Parts::stream(shared::Frame& frame, const FrameSettings& wanted,
-                                  glm::uvec2 size, std::uint32_t slot)
+/// What the recorder decides by. Its matrix only says that the rays are not parallel; the view's
+/// own is in instanceOf().
+HostView FieldRenderer::Parts::hostView(const View& view, const FrameSettings& wanted) const
 {
-    shared::Eyepoint seen = frame.view;
+    HostView result{.size = view.target, .samples = settings.samples, .geometry = view.geometry};
+    result.worldToClip[2][3] = -1.0;
     if (wanted.cullingCamera)
-        seen = cullViewFrom(frame,
-                            viewMatrices(*wanted.cullingCamera, shape.origin, size, shape.content))
-                   .view;
-    streaming->choose({&seen, 1}, slot);
-    frame.view.lodThreshold = seen.lodThreshold;
+        result.cullViewFrom = result.worldToClip;
+    if (geometry == Geometry::tessellation && attachments->depth().view() != VK_NULL_HANDLE)
+        result.depth = HostDepth{
+            .view = attachments->depth().view(), .samples = settings.samples, .slack = 0.0f};
+    return result;
 }
 
-void FieldRenderer::Parts::recordStreaming(const gpu::Recording& commands, std::uint32_t slot,
-                                           double time) const
+InstanceFrame FieldRenderer::Parts::instanceOf(const View& view, const FrameSettings& wanted,
+                                               double time)
 {
-    gpu::memoryBarrier(commands, gpu::fillAccess, gpu::fillAccess);
-    const BladeStates* const states = &blades.buffers().ownStates();
-    streaming->record(commands, slot, settledTick(time), {&states, 1});
-    gpu::memoryBarrier(commands, gpu::fillAccess, gpu::dispatchAccess);
+    InstanceFrame result{.time = time, .number = frameNumber, .settings = wanted};
+    result.colliders = collidersAt(wanted.colliders, field->shape.origin, time,
+                                   blades->hasMoved() ? lastTime : time);
+    InstanceView own{.seen = view.matrices, .samples = settings.samples};
+    if (wanted.cullingCamera)
+        own.culled = viewMatrices(*wanted.cullingCamera, field->shape.origin, view.whole,
+                                  field->shape.content);
+    result.views.push_back(own);
+    return result;
 }
 
-shared::Frame FieldRenderer::Parts::writeFrame(shared::Frame frame, const FrameSettings& wanted,
-                                               double time, std::uint32_t slot)
-{
-    if (!wanted.colliders.empty())
-        blades.expectColliders();
-    blades.buffers().describe(frame);
-    slots[slot].blades = blades.buffers().bladeCount();
-    cover.describe(frame, wanted.thatch);
-    if ((frame.view.cullMask & shared::cullOcclusion) != 0 || findsHidden(wanted))
-        pyramid.describe(frame);
-    const std::vector<shared::Collider> colliders =
-        collidersAt(wanted.colliders, shape.origin, time, blades.hasMoved() ? lastTime : time);
-    slots[slot].tables.write(shape, wanted, colliders, time, frame);
-    lastTime = time;
-    frame.updateRate.frame = frameNumber++;
-    sunShadow.describe(frame, colliders);
-    slots[slot].frame.fill(frame);
-
-    // Create pipelines that a frame needs for the first time.
-    blades.prepare(shaders, frame);
-    const std::uint32_t debugMode = knownDebugMode(wanted.debug);
-    const bool paintsWind = wanted.debug == DebugMode::wind;
-    sunShadow.prepare(shaders);
-    if (raster) {
-        opaqueRaster->prepare(shaders, frame.environment.colliderCount, debugMode);
-        const Shading shading{.debugMode = debugMode,
-                              .limitsLeafArea = frame.view.maxLeafArea > 0.0f,
-                              .hasShadingCache = findsHidden(wanted)};
-        raster->prepare(shaders, shading);
-        resolve->prepare(shaders, shading);
-    } else {
-        opaque->prepare(shaders, frame.environment.colliderCount, paintsWind);
-        tessellated->prepare(shaders, paintsWind);
-    }
-    return frame;
-}
-
-FramePlace FieldRenderer::Parts::fillCullView(const shared::Frame& frame,
-                                              const FrameSettings& wanted, glm::uvec2 size,
-                                              std::uint32_t slot)
+/// Writes a frame for the shaders.
+void FieldRenderer::Parts::begin(const View& view, const FrameSettings& wanted, double time,
+                                 std::uint32_t slot)
 {
     requireUsage(wanted.debug != DebugMode::reason || settings.recordCullResults,
                  "DebugMode::reason needs FieldRendererSettings::recordCullResults");
-    if (wanted.debug == DebugMode::reason)
-        slots[slot].listing.fill(listingAll(frame));
-    shared::Frame cullView = frame;
-    if (wanted.cullingCamera)
-        cullView = cullViewFrom(
-            frame, viewMatrices(*wanted.cullingCamera, shape.origin, size, shape.content));
-    rounds = blades.buffers().roundCount(cullView,
-                                         streaming ? streaming->residentPatches()
-                                                   : blades.buffers().baked().nonEmptyPatchCount());
-    if (!wanted.cullingCamera)
-        return slots[slot].frame.place();
-    if (!hasPyramid)
-        cullView.pyramid = {};
-    slots[slot].cullView.fill(cullView);
-    return slots[slot].cullView.place();
+    prepare(wanted);
+    const HostView seen = hostView(view, wanted);
+    ViewExtras extras{.frozen = frozen, .drawsAll = wanted.debug == DebugMode::reason};
+    if (view.geometry == Geometry::raster) {
+        layer.firstBlade = opaqueRaster->firstBlade();
+        layer.clear = [this](const gpu::Recording& commands) {
+            resolve->recordBegin(commands);
+            opaqueRaster->recordBegin(commands);
+        };
+        layer.draw = [this](const gpu::Recording& commands, VkDeviceAddress visibility) {
+            opaqueRaster->recordTriangles(commands, frame(), visibility);
+        };
+        extras.layer = &layer;
+    }
+    recorder.begin(slot, {.time = time, .views = {&seen, 1}, .settings = wanted}, extras,
+                   [&](const Recorder::Placed&) {
+                       InstanceFrame instance = instanceOf(view, wanted, time);
+                       instance.complete = [this, colliders = instance.colliders](
+                                               std::uint32_t, shared::Frame& written) {
+                           sunShadow.describe(written, colliders);
+                           return std::optional<shared::HostLight>();
+                       };
+                       return instance;
+                   });
+    sunShadow.prepare(recorder.shaders);
+}
+
+/// Creates pipelines that a frame needs for the first time.
+void FieldRenderer::Parts::prepare(const FrameSettings& wanted)
+{
+    const gpu::ShaderLibrary& shaders = recorder.shaders;
+    const auto colliders = static_cast<std::uint32_t>(wanted.colliders.size());
+    const std::uint32_t debugMode = knownDebugMode(wanted.debug);
+    const bool paintsWind = wanted.debug == DebugMode::wind;
+    if (geometry == Geometry::raster) {
+        opaqueRaster->prepare(shaders, colliders, debugMode);
+        const bool findsHidden = recorder.raster.drawsLargeByGroups() && !wanted.cullingCamera &&
+                                 wanted.debug != DebugMode::reason;
+        resolve->prepare(shaders, {.debugMode = debugMode,
+                                   .limitsLeafArea = testsOf(wanted).maxLeafArea > 0.0f,
+                                   .hasShadingCache = findsHidden});
+    } else {
+        opaque->prepare(shaders, colliders, paintsWind);
+        tessellated->prepare(shaders, paintsWind);
+    }
 }
 
 void FieldRenderer::record(VkCommandBuffer buffer, const Target& target, const Camera& camera,
@@ -267,152 +298,125 @@ void FieldRenderer::record(VkCommandBuffer buffer, const Target& target, const C
                            gpu::Timestamps* timestamps, glm::vec2 jitter)
 {
     Parts& parts = *parts_;
-    parts.requireFrame(buffer, settings, time, slot);
-    const gpu::Recording commands(parts.context, buffer);
+    const gpu::Recording commands = parts.recording(buffer, settings, time, slot);
     requireUsage(target.image != VK_NULL_HANDLE && target.view != VK_NULL_HANDLE,
                  "FieldRenderer::Target: its image or its view is null");
     const gpu::LabelScope label(parts.context, commands, "field");
 
     const bool isPart = target.whole != glm::uvec2(0);
-    requireUsage(!isPart || !parts.streaming, "a streamed field's picture is drawn as a whole");
+    requireUsage(!isPart || !isStreamed(), "a streamed field's picture is drawn as a whole");
     const glm::uvec2 whole = isPart ? target.whole : target.size;
-    ViewMatrices view =
-        viewMatrices(camera, parts.shape.origin, whole, parts.shape.content, jitter);
+    const DeviceField& field = *parts.field;
+    ViewMatrices matrices =
+        viewMatrices(camera, field.shape.origin, whole, field.shape.content, jitter);
     if (isPart)
-        view = partOf(view, whole, target.first, target.size);
+        matrices = partOf(matrices, whole, target.first, target.size);
     parts.fit(target.size);
-    shared::Frame wanted = frameOf(parts.shape, view, settings, time, parts.settings.samples);
-    if (parts.streaming)
-        parts.stream(wanted, settings, target.size, slot);
-    const shared::Frame frame = parts.writeFrame(wanted, settings, time, slot);
-    const FramePlace cullView = parts.fillCullView(frame, settings, whole, slot);
+    parts.begin({target.size, whole, matrices, parts.geometry}, settings, time, slot);
+    parts.lastTime = time;
+    ++parts.frameNumber;
     {
         const DispatchScope scope(parts.context, commands, timestamps, "sun shadow");
-        parts.sunShadow.record(commands, parts.ground, parts.slots[slot].frame.place().address);
+        parts.sunShadow.record(commands, parts.ground, parts.frame().address);
     }
 
+    Recorder& recorder = parts.recorder;
+    recorder.recordUpdate(commands);
     const bool looksForHidden = (settings.cullMask & shared::cullOcclusion) != 0;
-    const bool findsReasons = settings.debug == DebugMode::reason;
-    const bool findsHidden = parts.findsHidden(settings);
-    const ViewerRaster::Input raster{
-        .field = &parts.blades.buffers(),
-        .frame = parts.slots[slot].frame.place(),
-        .cullView = findsReasons ? parts.slots[slot].listing.place() : cullView,
-        .firstBlade = parts.raster ? parts.opaqueRaster->firstBlade() : 1,
-        .hasTwoPasses = findsHidden};
-
-    parts.blades.begin(commands, time, slot);
+    if (parts.geometry == Geometry::tessellation)
+        parts.drawOpaque(commands, target, timestamps);
     // Blades hidden by the ground are neither moved nor drawn.
-    if (parts.raster)
-        parts.rasterOpaque(commands, slot, timestamps);
-    else
-        parts.drawOpaque(commands, target, slot, timestamps);
-    if (!settings.cullingCamera) {
-        if (looksForHidden && parts.raster)
-            parts.seeWhatIsHidden(commands, raster, timestamps);
-        else if (looksForHidden)
-            parts.seeWhatIsHidden(commands, slot, timestamps);
-        parts.hasPyramid = looksForHidden;
-    }
-    if (parts.streaming)
-        parts.recordStreaming(commands, slot, time);
-    parts.blades.findVisiblePatches(commands, cullView.address, timestamps);
-    if (findsReasons) {
-        // Draw all blades in the colours of their cull results.
-        parts.blades.moveAndList(commands, cullView, 0, {}, timestamps);
-        parts.slots[slot].recordCounts(commands, parts.blades.buffers().draw());
-        parts.blades.beginAgain(commands);
-        parts.blades.findVisiblePatches(commands, raster.cullView.address, nullptr);
-    }
-    if (parts.raster)
-        parts.rasterBlades(commands, raster, timestamps);
-    else
-        parts.blades.moveAndList(commands, raster.cullView, 0, {}, timestamps);
-
-    gpu::memoryBarrier(commands, gpu::computeAccess, gpu::anyAccess);
-    if (!findsReasons)
-        parts.slots[slot].recordCounts(commands, parts.blades.buffers().draw());
-    if (parts.raster) {
-        parts.makePicture(commands, target, slot, raster, timestamps);
+    recorder.recordCull(commands, 0, timestamps);
+    if (parts.geometry == Geometry::raster) {
+        recorder.recordRaster(commands, 0, timestamps);
+        parts.makePicture(commands, target, timestamps);
     } else {
-        parts.drawBlades(commands, target, slot, timestamps);
+        parts.drawBlades(commands, target, timestamps);
         parts.tessellated->finish(commands, target.view);
     }
+    if (!settings.cullingCamera)
+        parts.frozen = looksForHidden ? recorder.depthOf(0).cells.layout : shared::DepthPyramid{};
 }
 
 void FieldRenderer::recordUpdateOnly(VkCommandBuffer buffer, const FrameSettings& settings,
                                      double time, std::uint32_t slot)
 {
     Parts& parts = *parts_;
-    parts.requireFrame(buffer, settings, time, slot);
-    const gpu::Recording commands(parts.context, buffer);
+    const gpu::Recording commands = parts.recording(buffer, settings, time, slot);
     const gpu::LabelScope label(parts.context, commands, "field/update only");
-    parts.writeFrame(frameOf(parts.shape, ViewMatrices{}, settings, time, parts.settings.samples),
-                     settings, time, slot);
-    parts.blades.begin(commands, time, slot);
-    parts.blades.moveAll(commands, parts.slots[slot].frame.place());
+    FrameSettings unseen = settings;
+    unseen.cullMask &= ~std::uint32_t(cullOcclusion);
+    parts.begin({.target = glm::uvec2(1), .geometry = Geometry::tessellation}, unseen, time, slot);
+    parts.lastTime = time;
+    ++parts.frameNumber;
+    parts.recorder.recordMoveAll(commands);
 }
 
 bool FieldRenderer::recordStreaming(VkCommandBuffer buffer, glm::uvec2 size, const Camera& camera,
                                     const FrameSettings& settings, double time, std::uint32_t slot)
 {
     Parts& parts = *parts_;
-    parts.requireFrame(buffer, settings, time, slot);
-    const gpu::Recording commands(parts.context, buffer);
-    if (!parts.streaming)
+    const gpu::Recording commands = parts.recording(buffer, settings, time, slot);
+    if (!isStreamed())
         return true;
     const gpu::LabelScope label(parts.context, commands, "field/streaming");
-    shared::Frame frame =
-        frameOf(parts.shape, viewMatrices(camera, parts.shape.origin, size, parts.shape.content),
-                settings, time, parts.settings.samples);
-    parts.stream(frame, settings, size, slot);
-    if (!parts.blades.hasMoved())
+    const DeviceField& field = *parts.field;
+    const bool hadMoved = parts.blades->hasMoved();
+    parts.begin({.target = size,
+                 .whole = size,
+                 .matrices = viewMatrices(camera, field.shape.origin, size, field.shape.content),
+                 .geometry = parts.geometry},
+                settings, time, slot);
+    if (!hadMoved)
         parts.lastTime = time;
-    parts.blades.begin(commands, time, slot);
-    parts.recordStreaming(commands, slot, time);
-    return parts.streaming->isSettled();
+    parts.recorder.recordUpdate(commands);
+    return field.streaming->isSettled();
 }
 
 std::optional<VkSemaphoreSubmitInfo> FieldRenderer::copied() const
 {
-    return parts_->streaming ? parts_->streaming->copied() : std::nullopt;
+    return isStreamed() ? parts_->field->streaming->copied() : std::nullopt;
 }
 
 FrameStats FieldRenderer::stats(std::uint32_t slot) const
 {
-    requireUsage(slot < parts_->slots.size(), "slot {} of {}", slot, parts_->slots.size());
-    const FrameSlot& frame = parts_->slots[slot];
-    return frame.counts(parts_->streaming ? parts_->streaming->residentBlades(slot) : frame.blades);
+    requireUsage(slot < parts_->settings.framesInFlight, "slot {} of {}", slot,
+                 parts_->settings.framesInFlight);
+    FrameStats stats;
+    parts_->blades->addCounts(slot, 0, stats);
+    return stats;
 }
 
 std::vector<FieldRenderer::BladeRecord>
 FieldRenderer::dumpBlades(const field::FieldView& field) const
 {
-    requireUsage(field.blades.size() == parts_->blades.buffers().bladeCount(),
+    const DeviceField& own = *parts_->field;
+    requireUsage(field.blades.size() == own.blades.bladeCount(),
                  "a field of {} blades; that of the renderer has {}", field.blades.size(),
-                 parts_->blades.buffers().bladeCount());
-    if (parts_->streaming)
+                 own.blades.bladeCount());
+    if (isStreamed())
         fail(ErrorKind::unsupported,
              "not all of the field's {} blades are in device memory; "
              "only those in memory have a state",
              field.blades.size());
     std::vector<std::uint32_t> places;
-    if (const EditedField* const edited = parts_->blades.edited())
-        places = edited->placesOf(field);
-    return readBlades(parts_->context, parts_->blades.buffers(), field, places);
+    if (own.edits)
+        places = own.edits->field().placesOf(field);
+    return readBlades(parts_->context, *parts_->blades, field, places);
 }
 
 std::vector<FieldRenderer::BladeRecord> FieldRenderer::dumpPatch(const field::FieldView& field,
                                                                  std::uint32_t patch) const
 {
     requireUsage(patch < field.patches.size(), "patch {} of {}", patch, field.patches.size());
+    const DeviceField& own = *parts_->field;
     const shared::Patch& cell = field.patches[patch];
     std::vector<BladePart> parts{{cell.firstBlade, cell.bladeCount}};
-    if (parts_->streaming)
-        parts = parts_->streaming->partsOf(cell);
-    if (const EditedField* const edited = parts_->blades.edited(); edited && cell.bladeCount > 0)
-        parts = {{edited->placesOf(field)[cell.firstBlade], cell.bladeCount}};
-    return readPatch(parts_->context, parts_->blades.buffers(), field, patch, parts);
+    if (own.streaming)
+        parts = own.streaming->partsOf(cell);
+    if (own.edits && cell.bladeCount > 0)
+        parts = {{own.edits->field().placesOf(field)[cell.firstBlade], cell.bladeCount}};
+    return readPatch(parts_->context, *parts_->blades, field, patch, parts);
 }
 
 Geometry FieldRenderer::geometry() const
@@ -427,26 +431,25 @@ const char* FieldRenderer::geometryReason() const
 
 std::size_t FieldRenderer::Parts::bytesBesideBlades() const
 {
-    const std::size_t pictures = raster ? raster->bytes() + opaqueRaster->bytes() + resolve->bytes()
-                                        : attachments->bytes() + opaque->bytes();
-    return ground.bytes() + cover.bytes() + sunShadow.bytes() + pyramid.bytes() + pictures +
-           settings.framesInFlight * FrameSlot::bytes();
+    const std::size_t pictures = geometry == Geometry::raster
+                                     ? opaqueRaster->bytes() + resolve->bytes()
+                                     : attachments->bytes() + opaque->bytes();
+    return ground.bytes() + sunShadow.bytes() + pictures + recorder.deviceBytes();
 }
 
 std::size_t FieldRenderer::deviceBytes() const
 {
-    return parts_->blades.buffers().bytes() + parts_->bytesBesideBlades() +
-           (parts_->streaming ? parts_->streaming->bytes() : 0);
+    return parts_->field->bytes() + parts_->bytesBesideBlades();
 }
 
 bool FieldRenderer::isStreamed() const
 {
-    return parts_->streaming.has_value();
+    return parts_->field->streaming != nullptr;
 }
 
 Aabb FieldRenderer::content() const
 {
-    return parts_->shape.content;
+    return parts_->field->shape.content;
 }
 
 } // namespace sward::render

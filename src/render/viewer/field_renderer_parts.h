@@ -1,26 +1,20 @@
 #pragma once
 
 #include "gpu/context/context.h"
-#include "gpu/pipeline/shader_library.h"
 #include "gpu/recording/recording.h"
 #include "gpu/recording/rendering.h"
 #include "gpu/recording/timestamps.h"
-#include "render/cull/depth_pyramid.h"
-#include "render/cull/moving_blades.h"
-#include "render/field/grass_cover.h"
-#include "render/frame/frame.h"
 #include "render/preview/opaque_pass.h"
 #include "render/preview/opaque_raster_pass.h"
 #include "render/preview/sun_shadow.h"
+#include "render/recorder.h"
+#include "render/resident/device_field.h"
 #include "render/resolve/resolve_pass.h"
 #include "render/resolve/target_settings.h"
-#include "render/streaming/streaming.h"
 #include "render/viewer/attachments.h"
 #include "render/viewer/field_renderer.h"
-#include "render/viewer/frame_slot.h"
 #include "render/viewer/memory_plan.h"
 #include "render/viewer/tessellated_pass.h"
-#include "render/viewer/viewer_raster.h"
 
 #include <memory>
 #include <optional>
@@ -28,26 +22,25 @@
 
 namespace sward::render {
 
-/// Members of a field's renderer, and the steps of its frames.
+/// Members of a field's renderer, and the steps of its frames. It hands the recorder of hosts'
+/// frames its only view, on a ground of its own.
 struct FieldRenderer::Parts {
-    Parts(const gpu::DeviceContext& deviceContext, const field::FieldView& field,
+    Parts(const gpu::DeviceContext& deviceContext, const field::FieldView& view,
           const Settings& wanted);
 
     /// Throw Error{usage} that names what is wrong.
     static const gpu::DeviceContext& checked(const gpu::DeviceContext& given,
                                              const field::FieldView& field, const Settings& wanted);
-    void requireFrame(VkCommandBuffer commands, const FrameSettings& wanted, double time,
-                      std::uint32_t slot) const;
+    gpu::Recording recording(VkCommandBuffer commands, const FrameSettings& wanted, double time,
+                             std::uint32_t slot) const;
 
-    const gpu::DeviceContext& context;
     Settings settings;
     Geometry geometry; ///< never automatic
-    gpu::ShaderLibrary shaders;
+    Recorder recorder;
+    const gpu::DeviceContext& context; ///< the recorder's
     TargetSettings targetSettings;
     GroundBuffers ground;
-    GrassCover cover;
     SunShadowPass sunShadow;
-    DepthPyramid pyramid;
     glm::uvec2 pictureSize{0}; ///< [pixels] of the current pictures
 
     // With tessellation: the graphics pipeline …
@@ -56,48 +49,46 @@ struct FieldRenderer::Parts {
     std::optional<TessellatedPass> tessellated;
     // … with raster: compute shaders only.
     std::optional<OpaqueRasterPass> opaqueRaster;
-    std::optional<ViewerRaster> raster;
     std::optional<ResolvePass> resolve;
-    MemoryPlan plan;
-    std::unique_ptr<EditedField> edited; ///< of an editable field, until `blades` has it
-    MovingBlades blades;
-    std::optional<field::OwnedField> source; ///< what `streaming` reads, unless the caller has it
-    std::optional<Streaming> streaming;      ///< if not all blades are resident
-    FieldShape shape;
-    std::vector<FrameSlot> slots;
-    double lastTime = 0.0; ///< [s] of the frame before
-    std::uint32_t frameNumber = 0;
-    bool hasPyramid = false;  ///< it fits the picture's size and the culling camera
-    std::uint32_t rounds = 1; ///< rounds that list and draw the frame's blades
 
-    MemoryPlan planWithin(const field::FieldView& field);
-    std::unique_ptr<EditedField> editedOf(const field::FieldView& field) const;
+    OpaqueLayer layer;                       ///< of the frame being recorded
+    BladeRecords records;                    ///< per blade
+    std::unique_ptr<DeviceField> field;      ///< what the instance shows
+    std::optional<field::OwnedField> source; ///< what streaming reads, unless the caller has it
+    PlacedField* blades = nullptr;           ///< the only instance of the recorder
+    double lastTime = 0.0;                   ///< [s] of the frame before
+    std::uint32_t frameNumber = 0;
+    shared::DepthPyramid frozen = {}; ///< of the last picture whose camera culled; may be none
+
+    /// A frame as it is recorded.
+    struct View {
+        glm::uvec2 target{0}; ///< [pixels]
+        glm::uvec2 whole{0};  ///< [pixels] of the picture that the target is a part of
+        ViewMatrices matrices{};
+        Geometry geometry = Geometry::automatic;
+    };
+
+    std::unique_ptr<DeviceField> uploadedField(const field::FieldView& view);
+    MemoryPlan planWithin(const field::FieldView& view, VkDeviceSize coverBytes);
+    std::unique_ptr<EditedField> editedOf(const field::FieldView& view) const;
     std::size_t bytesBesideBlades() const;
+    void measurePictures();
     void fit(glm::uvec2 size);
-    void recordStreaming(const gpu::Recording& commands, std::uint32_t slot, double time) const;
-    void stream(shared::Frame& frame, const FrameSettings& wanted, glm::uvec2 size,
-                std::uint32_t slot);
-    shared::Frame writeFrame(shared::Frame frame, const FrameSettings& wanted, double time,
-                             std::uint32_t slot);
-    FramePlace fillCullView(const shared::Frame& frame, const FrameSettings& wanted,
-                            glm::uvec2 size, std::uint32_t slot);
-    bool groupsDrawLarge() const;
-    bool findsHidden(const FrameSettings& wanted) const; ///< occlusion test between blades
-    void drawOpaque(const gpu::Recording& commands, const Target& target, std::uint32_t slot,
+    HostView hostView(const View& view, const FrameSettings& wanted) const;
+    void begin(const View& view, const FrameSettings& wanted, double time, std::uint32_t slot);
+    InstanceFrame instanceOf(const View& view, const FrameSettings& wanted, double time);
+    void prepare(const FrameSettings& wanted);
+    void drawOpaque(const gpu::Recording& commands, const Target& target,
                     gpu::Timestamps* timestamps);
-    void rasterOpaque(const gpu::Recording& commands, std::uint32_t slot,
-                      gpu::Timestamps* timestamps);
-    void seeWhatIsHidden(const gpu::Recording& commands, std::uint32_t slot,
-                         gpu::Timestamps* timestamps);
-    void seeWhatIsHidden(const gpu::Recording& commands, const ViewerRaster::Input& input,
-                         gpu::Timestamps* timestamps);
-    void drawBlades(const gpu::Recording& commands, const Target& target, std::uint32_t slot,
+    void drawBlades(const gpu::Recording& commands, const Target& target,
                     gpu::Timestamps* timestamps);
-    void rasterBlades(const gpu::Recording& commands, const ViewerRaster::Input& input,
-                      gpu::Timestamps* timestamps);
-    void makePicture(const gpu::Recording& commands, const Target& target, std::uint32_t slot,
-                     const ViewerRaster::Input& input, gpu::Timestamps* timestamps);
+    void makePicture(const gpu::Recording& commands, const Target& target,
+                     gpu::Timestamps* timestamps);
     gpu::ColorAttachment colorAttachment(const Target& target) const;
+    FramePlace frame() const
+    {
+        return blades->place(recorder.slot, InstanceConstants::Kind::raster, 0);
+    } ///< of the picture
 };
 
 } // namespace sward::render

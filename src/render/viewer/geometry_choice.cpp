@@ -1,9 +1,22 @@
 #include "render/viewer/geometry_choice.h"
 
 #include "core/error.h"
-#include "render/viewer/viewer_raster.h"
 
 namespace sward::render {
+
+namespace {
+
+/// Why blades cannot be rasterised by compute shaders into targets of a format; null if they can.
+const char* obstacleToRaster(const gpu::DeviceContext& context, VkFormat colorFormat)
+{
+    if (!context.features.bufferInt64Atomics)
+        return "the device has no 64-bit atomics on buffers (shaderBufferInt64Atomics)";
+    if (colorFormat != VK_FORMAT_R8G8B8A8_SRGB && colorFormat != VK_FORMAT_B8G8R8A8_SRGB)
+        return "the target is neither R8G8B8A8_SRGB nor B8G8R8A8_SRGB";
+    return nullptr;
+}
+
+} // namespace
 
 const char* nameOf(Geometry geometry)
 {

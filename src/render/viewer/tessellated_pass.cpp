@@ -36,12 +36,12 @@ VkImageView TessellatedPass::begin(const gpu::Recording& commands) const
     return film_ ? film_->begin(commands) : VK_NULL_HANDLE;
 }
 
-void TessellatedPass::record(const gpu::Recording& commands, const FieldBuffers& field,
+void TessellatedPass::record(const gpu::Recording& commands, const VisibleBlades* list,
                              VkDeviceAddress frame, gpu::Timestamps* timestamps) const
 {
-    {
+    if (list != nullptr) {
         const PassScope scope(*context_, commands, timestamps, "blades");
-        (paintsWind_ ? *windy_ : blades_).record(commands, field, frame);
+        (paintsWind_ ? *windy_ : blades_).record(commands, *list, frame);
     }
     const PassScope scope(*context_, commands, timestamps, "sky");
     sky_.record(commands, frame);

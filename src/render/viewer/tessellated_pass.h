@@ -4,7 +4,7 @@
 #include "gpu/pipeline/shader_library.h"
 #include "gpu/recording/recording.h"
 #include "gpu/recording/timestamps.h"
-#include "render/cull/field_buffers.h"
+#include "render/field/visible_blades.h"
 #include "render/preview/film_pass.h"
 #include "render/preview/sky_pass.h"
 #include "render/resolve/target_settings.h"
@@ -33,8 +33,8 @@ public:
     /// The resolve target of the rendering's samples; null with one sample per pixel.
     VkImageView begin(const gpu::Recording& commands) const;
 
-    /// Inside a rendering, after the ground.
-    void record(const gpu::Recording& commands, const FieldBuffers& field, VkDeviceAddress frame,
+    /// Inside a rendering, after the ground. `list`: null if there are no blades.
+    void record(const gpu::Recording& commands, const VisibleBlades* list, VkDeviceAddress frame,
                 gpu::Timestamps* timestamps) const;
 
     /// After the rendering: makes the target's picture from several samples.

@@ -6,9 +6,9 @@
 #include "gpu/recording/commands.h"
 #include "picture.h"
 #include "presentation/camera_presets.h"
-#include "render/cull/field_buffers.h"
 #include "render/preview/sun_shadow.h"
 #include "render/viewer/attachments.h"
+#include "render/viewer/memory_plan.h"
 #include "shaders/shared/bezier.h"
 #include "support/fields/fields.h"
 #include "support/gpu/gpu_fixture.h"
@@ -411,9 +411,8 @@ TEST_F(RendererTest, RefusesAFieldThatIsLargerThanTheDevice)
     for (VkMemoryHeap& heap : small.memory.memoryHeaps)
         heap.size = 1024;
     const field::Field field = test::makeField({.blades = 500});
-    gpu::Uploader uploader(context());
     try {
-        const FieldBuffers buffers(small, uploader, field::viewOf(field), {});
+        requireMemory(small, field::viewOf(field), {}, {});
         FAIL() << "a device of 1 KiB held 500 blades";
     } catch (const Error& error) {
         EXPECT_EQ(error.kind(), ErrorKind::runtime);

@@ -1,15 +1,19 @@
 // A frame has as many rounds as its visible patches may fill.
 
 #include "gpu/memory/upload.h"
-#include "render/cull/field_buffers.h"
 #include "render/frame/camera.h"
-#include "render/frame/frame.h"
+#include "render/resident/placed_field.h"
 #include "support/fields/fields.h"
 #include "support/gpu/gpu_fixture.h"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <utility>
+
+namespace sward::embedded {
+std::span<const EmbeddedFile> shaders();
+} // namespace sward::embedded
 
 namespace sward::render {
 namespace {
@@ -26,28 +30,35 @@ TEST_F(RoundsTest, AreAsManyAsTheVisiblePatchesMayFill)
     const auto nonEmptyPatches = static_cast<std::uint64_t>(std::ranges::count_if(
         field.patches, [](const shared::Patch& cell) { return cell.bladeCount > 0; }));
     gpu::Uploader uploader(context());
-    const FieldBuffers buffers(context(), uploader, field, {.roundPatches = 3});
+    const gpu::ShaderLibrary shaders(embedded::shaders());
+    GrassCover cover(context(), uploader, field, false);
+    const DeviceField shown(context(), shaders, uploader, field, std::move(cover),
+                            {.walkStart = shared::walkStart, .boundsRounds = true});
     uploader.finish();
+    PlacedField blades(context(), shown, {.roundPatches = 3});
     ASSERT_GT(nonEmptyPatches, 9u);
 
-    shared::Frame everywhere = {};
-    EXPECT_EQ(buffers.roundCount(everywhere, nonEmptyPatches), (nonEmptyPatches + 2) / 3);
-    // At most the resident number.
-    EXPECT_EQ(buffers.roundCount(everywhere, 7), 3u);
-    EXPECT_EQ(buffers.roundCount(everywhere, 0), 1u);
-    // Away from the field, and to a corner of it.
+    // Without planes everything is seen; then away from the field, and to a corner of it.
+    InstanceFrame frame;
+    const auto roundsSeenBy = [&](const ViewMatrices& view) {
+        frame.views = {{.seen = view}};
+        blades.write(0, frame, 1);
+        return blades.roundCount(0);
+    };
+    const auto seenBy = [&](const Camera& by) {
+        return viewMatrices(by, {}, size, field.bounds());
+    };
+    frame.settings.cullMask = 0;
+    frame.settings.levelOfDetail = false;
+    EXPECT_EQ(roundsSeenBy({}), (nonEmptyPatches + 2) / 3);
+    frame.settings = {};
     Camera camera;
     camera.eye = {0.0, 3.0, 30.0};
     camera.target = {0.0, 3.0, 60.0};
-    FrameSettings settings;
-    const auto seenBy = [&](const Camera& by) {
-        return frameOf({{}, field.bounds(), field::meanBladeSize(field)},
-                       viewMatrices(by, {}, size, field.bounds()), settings, 1.0, 1);
-    };
-    EXPECT_EQ(buffers.roundCount(seenBy(camera), nonEmptyPatches), 1u);
+    EXPECT_EQ(roundsSeenBy(seenBy(camera)), 1u);
     camera.eye = {4.5, 1.0, 4.5};
     camera.target = {5.0, 0.0, 5.0};
-    EXPECT_LT(buffers.roundCount(seenBy(camera), nonEmptyPatches), (nonEmptyPatches + 2) / 6);
+    EXPECT_LT(roundsSeenBy(seenBy(camera)), (nonEmptyPatches + 2) / 6);
 }
 
 } // namespace

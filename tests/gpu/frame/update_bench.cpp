@@ -5,7 +5,10 @@
 #include "gpu/recording/barrier.h"
 #include "gpu/recording/commands.h"
 #include "render/frame/frame_time.h"
-#include "render/viewer/frame_slot.h"
+#include "shaders/shared/passes.h"
+
+#include <cstring>
+#include <limits>
 
 namespace sward::embedded {
 std::span<const EmbeddedFile> shaders();
@@ -14,13 +17,15 @@ std::span<const EmbeddedFile> shaders();
 namespace sward::test {
 namespace {
 
-render::FieldBuffers upload(const gpu::DeviceContext& context, const field::FieldView& field,
-                            const render::FieldBuffers::Records& records)
+constexpr std::uint32_t everything = std::numeric_limits<std::uint32_t>::max();
+
+render::BakedBlades upload(const gpu::DeviceContext& context, const field::FieldView& field,
+                           std::uint32_t walkStart)
 {
     gpu::Uploader uploader(context);
-    render::FieldBuffers buffers(context, uploader, field, records);
+    render::BakedBlades blades(context, uploader, field, walkStart, 0);
     uploader.finish();
-    return buffers;
+    return blades;
 }
 
 } // namespace
@@ -36,15 +41,22 @@ UpdateBench::UpdateBench(const gpu::DeviceContext& context, const field::FieldVi
     , groups_(settings.groups)
     , hasAllFeatures_(settings.hasAllFeatures)
     , shaders_(embedded::shaders())
-    , buffers_(upload(context, field,
-                      {.list = true,
-                       .cullResults = settings.recordCullResults,
-                       .etas = true,
-                       .walkStart = settings.walkStart}))
+    , blades_(upload(context, field, settings.walkStart))
+    , states_(context, blades_, {.before = false, .etas = true})
+    , list_(context, blades_, everything, everything)
     , walk_(context, shaders_)
     , pass_(context)
-    , tables_(context)
+    , tables_(context, {.name = "bench/tables",
+                        .bytes = render::tableBytes(),
+                        .usage = VK_BUFFER_USAGE_STORAGE_BUFFER_BIT,
+                        .memory = gpu::MemoryUse::constants})
 {
+    if (settings.recordCullResults)
+        cullResults_ = gpu::Buffer(context, {.name = "bench/cull results",
+                                             .bytes = blades_.placeCount() * sizeof(std::uint32_t),
+                                             .usage = VK_BUFFER_USAGE_TRANSFER_SRC_BIT |
+                                                      VK_BUFFER_USAGE_TRANSFER_DST_BIT |
+                                                      VK_BUFFER_USAGE_STORAGE_BUFFER_BIT});
 }
 
 UpdateBench::Result UpdateBench::run(shared::Frame frame, const render::FrameSettings& settings,
@@ -52,10 +64,13 @@ UpdateBench::Result UpdateBench::run(shared::Frame frame, const render::FrameSet
                                      render::UpdateCullPass::Scope scope,
                                      std::optional<double> frameTime)
 {
-    buffers_.describe(frame);
+    blades_.describe(frame);
+    states_.describe(frame);
+    list_.describe(frame);
+    frame.cullResults = cullResults_.address();
     const double time = frameTime.value_or(timeOf(frame));
-    tables_.write(
-        {}, settings,
+    render::writeTables(
+        {tables_.mapped().data(), tables_.address()}, {}, settings,
         render::collidersAt(settings.colliders, {}, time, time - static_cast<double>(elapsed)),
         time, frame);
     const render::UpdateCullPass::Variant variant{
@@ -67,15 +82,24 @@ UpdateBench::Result UpdateBench::run(shared::Frame frame, const render::FrameSet
                         : shared::featuresOf(frame.view, frame.pages != 0, frame.cullResults != 0,
                                              frame.organs.address != 0)};
     pass_.prepare(shaders_, variant);
-    const render::FrameConstants constants(context_, gpu::UniformSetLayout(context_, "frame"),
-                                           "frame");
-    constants.fill(frame);
+    const gpu::Buffer constants(
+        context_, {.name = "bench/frame",
+                   .bytes = sizeof frame,
+                   .usage = VK_BUFFER_USAGE_STORAGE_BUFFER_BIT | VK_BUFFER_USAGE_UNIFORM_BUFFER_BIT,
+                   .memory = gpu::MemoryUse::constants});
+    std::memcpy(constants.mapped().data(), &frame, sizeof frame);
+    const gpu::UniformSets sets(
+        context_, gpu::UniformSetLayout(context_, "frame"),
+        {.name = "bench/frame", .buffer = constants.get(), .bytes = sizeof frame});
+    const render::FramePlace place{constants.address(), sets.get(0)};
 
     gpu::submitAndWait(context_, [&](VkCommandBuffer commands) {
         gpu::memoryBarrier(commands, gpu::anyAccess, gpu::anyAccess);
-        buffers_.rest(commands, render::tickOf(time - static_cast<double>(elapsed)));
-        buffers_.clearCounts(commands);
-        buffers_.clearCullResults(commands);
+        states_.rest(commands, render::tickOf(time - static_cast<double>(elapsed)));
+        list_.clear(commands);
+        if (cullResults_.address() != 0)
+            vkCmdFillBuffer(commands, cullResults_.get(), 0, VK_WHOLE_SIZE,
+                            shared::cullResultPatch);
     });
     gpu::Uploader uploader(context_);
     std::vector<std::uint32_t> turns;
@@ -84,37 +108,37 @@ UpdateBench::Result UpdateBench::run(shared::Frame frame, const render::FrameSet
         turns.push_back(state.turn);
         etas.push_back(state.eta);
     }
-    uploader.toBuffer(buffers_.states(), std::span<const std::uint32_t>(turns));
-    uploader.toBuffer(buffers_.etas(), std::span<const float>(etas));
+    uploader.toBuffer(states_.states(), std::span<const std::uint32_t>(turns));
+    uploader.toBuffer(states_.etas(), std::span<const float>(etas));
     uploader.finish();
     gpu::submitAndWait(context_, [&](VkCommandBuffer commands) {
         gpu::memoryBarrier(commands, gpu::anyAccess, gpu::anyAccess);
         if (scope == render::UpdateCullPass::Scope::visible)
-            walk_.record(commands, buffers_.baked(), buffers_.list(), constants.place().address);
+            walk_.record(commands, blades_, list_, place.address);
         gpu::memoryBarrier(commands, gpu::anyAccess, gpu::anyAccess);
-        render::UpdateCullPass::Input input{.frame = constants.place()};
+        render::UpdateCullPass::Input input{.frame = place};
         if (groups_ > 0) {
             input.maxGroups = groups_;
-            vkCmdFillBuffer(commands, buffers_.list().levels().get(),
+            vkCmdFillBuffer(commands, list_.levels().get(),
                             shared::visibleLevel * sizeof(shared::WalkLevel) +
                                 offsetof(shared::WalkLevel, groups),
                             sizeof(std::uint32_t), groups_);
             gpu::memoryBarrier(commands, gpu::anyAccess, gpu::anyAccess);
         }
-        pass_.record(commands, buffers_.baked(), buffers_.list(), variant, scope, input);
+        pass_.record(commands, blades_, list_, variant, scope, input);
     });
 
     Result result;
-    const auto turned = gpu::readBufferAs<std::uint32_t>(context_, buffers_.states());
-    const auto kept = gpu::readBufferAs<float>(context_, buffers_.etas());
+    const auto turned = gpu::readBufferAs<std::uint32_t>(context_, states_.states());
+    const auto kept = gpu::readBufferAs<float>(context_, states_.etas());
     for (std::size_t i = 0; i < turned.size(); ++i)
         result.states.push_back({turned[i], kept[i]});
-    if (buffers_.cullResults().bytes() > 0)
-        result.cullResults = gpu::readBufferAs<std::uint32_t>(context_, buffers_.cullResults());
-    result.visible = gpu::readBufferAs<shared::VisibleBlade>(context_, buffers_.visible());
-    result.draw = gpu::readBufferAs<shared::DrawArguments>(context_, buffers_.draw())[0];
+    if (cullResults_.bytes() > 0)
+        result.cullResults = gpu::readBufferAs<std::uint32_t>(context_, cullResults_);
+    result.visible = gpu::readBufferAs<shared::VisibleBlade>(context_, list_.visible());
+    result.draw = gpu::readBufferAs<shared::DrawArguments>(context_, list_.draw())[0];
     result.nearColliders =
-        gpu::readBufferAs<shared::WalkLevel>(context_, buffers_.list().levels()).back().count;
+        gpu::readBufferAs<shared::WalkLevel>(context_, list_.levels()).back().count;
     result.visible.resize(result.draw.cullResults[shared::cullResultDrawn]);
     return result;
 }

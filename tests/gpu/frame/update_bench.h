@@ -3,10 +3,12 @@
 #include "core/embedded.h"
 #include "field/field.h"
 #include "gpu/pipeline/shader_library.h"
-#include "render/cull/field_buffers.h"
 #include "render/cull/update_cull_pass.h"
 #include "render/cull/walk_pass.h"
+#include "render/field/baked_blades.h"
+#include "render/field/blade_states.h"
 #include "render/field/frame_tables.h"
+#include "render/field/visible_blades.h"
 #include "shaders/shared/frame.h"
 
 #include <optional>
@@ -50,17 +52,20 @@ public:
                std::span<const shared::BladeState> states, float elapsed,
                render::UpdateCullPass::Scope scope, std::optional<double> frameTime = std::nullopt);
 
-    field::BladeSize bladeSize() const { return buffers_.bladeSize(); }
+    field::BladeSize bladeSize() const { return blades_.bladeSize(); }
 
 private:
     const gpu::DeviceContext& context_;
     std::uint32_t groups_;
     bool hasAllFeatures_;
     gpu::ShaderLibrary shaders_;
-    render::FieldBuffers buffers_;
+    render::BakedBlades blades_;
+    render::BladeStates states_;
+    render::VisibleBlades list_;
+    gpu::Buffer cullResults_; ///< if recorded
     render::WalkPass walk_;
     render::UpdateCullPass pass_;
-    render::FrameTables tables_;
+    gpu::Buffer tables_;
 };
 
 } // namespace sward::test

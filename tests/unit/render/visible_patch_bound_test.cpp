@@ -2,10 +2,10 @@
 // not much larger than the actual number.
 
 #include "core/random.h"
-#include "render/cull/visible_patch_bound.h"
 #include "render/field/patch_tree.h"
 #include "render/frame/camera.h"
 #include "render/frame/frame.h"
+#include "render/resident/visible_patch_bound.h"
 #include "shaders/shared/visibility.h"
 #include "support/fields/fields.h"
 
@@ -62,7 +62,7 @@ std::uint64_t visiblePatches(const field::FieldView& field, const shared::Eyepoi
             const std::size_t above = cell.parent;
             isReached[p] = isReached[above] &&
                            (countsEachBlade || !shared::thinnedBelow(view, field.patches[above],
-                                                                subtrees[above].rankBelow));
+                                                                     subtrees[above].rankBelow));
         }
         isReached[p] = isReached[p] && !shared::patchCulled(view, cell, subtrees[p].widest);
         if (isReached[p] && cell.bladeCount > 0 &&

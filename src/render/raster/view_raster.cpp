@@ -1,7 +1,8 @@
-#include "render/raster/host_raster.h"
+#include "render/raster/view_raster.h"
 
 #include "gpu/recording/barrier.h"
 #include "render/access.h"
+#include "render/cull/pass_scope.h"
 #include "render/host/host_shadow_maps.h"
 #include "render/raster/raster_rounds.h"
 #include "render/resident/placed_field.h"
@@ -9,9 +10,12 @@
 
 #include <algorithm>
 #include <map>
+#include <utility>
 
 namespace sward::render {
 namespace {
+
+using Kind = InstanceConstants::Kind;
 
 /// The visibility is 0 where there is no blade.
 constexpr std::uint32_t firstId = 1;
@@ -35,18 +39,17 @@ std::uint32_t tileCount(glm::uvec2 size)
            shared::tilesAlong(size.y, shared::hostTile);
 }
 
-RasterPass::Variant variantOf(const HostView& view, const ResidentField& field,
-                              bool groupsDrawLarge)
+RasterPass::Variant variantOf(const HostView& view, const DeviceField& field, bool groupsDrawLarge)
 {
     return {.samples = view.samples,
-            .isPaged = Access::of(field).blades.isPaged(),
+            .isPaged = field.blades.isPaged(),
             .groupsDrawLarge = groupsDrawLarge,
-            .looks = Access::of(field).looks};
+            .looks = field.looks};
 }
 
 } // namespace
 
-HostRaster::HostRaster(const gpu::DeviceContext& context, const HostShadowMaps& shadowMaps,
+ViewRaster::ViewRaster(const gpu::DeviceContext& context, const HostShadowMaps& shadowMaps,
                        const Settings& settings)
     : context_(&context)
     , shadowMaps_(&shadowMaps)
@@ -59,7 +62,7 @@ HostRaster::HostRaster(const gpu::DeviceContext& context, const HostShadowMaps& 
         slot.views.resize(settings.maxViews);
 }
 
-const char* HostRaster::obstacle(const HostView& view,
+const char* ViewRaster::obstacle(const HostView& view,
                                  std::span<const PlacedField* const> instances) const
 {
     std::uint64_t ids = firstId;
@@ -82,7 +85,7 @@ const char* HostRaster::obstacle(const HostView& view,
     return nullptr;
 }
 
-const char* HostRaster::storeObstacle(const HostView& view, Instances instances,
+const char* ViewRaster::storeObstacle(const HostView& view, Instances instances,
                                       const FrameSettings& settings) const
 {
     if (const char* const found = obstacle(view, instances))
@@ -98,30 +101,31 @@ const char* HostRaster::storeObstacle(const HostView& view, Instances instances,
     return nullptr;
 }
 
-bool HostRaster::hasOwnPyramid(const HostView& view, const FrameSettings& settings)
+bool ViewRaster::hasOwnPyramid(const HostView& view, const FrameSettings& settings)
 {
     return (settings.cullMask & shared::cullOcclusion) != 0 && !view.cullViewFrom &&
            (!view.depth || view.depth->samples == view.samples);
 }
 
-bool HostRaster::hasTwoPasses(const HostView& view, Instances instances,
+bool ViewRaster::hasTwoPasses(const HostView& view, Instances instances,
                               const FrameSettings& settings) const
 {
     return settings_.groupsDrawLarge && instances.size() == 1 &&
            instances.front()->listsHoldAll() && hasOwnPyramid(view, settings);
 }
 
-void HostRaster::preparePipelines(const gpu::ShaderLibrary& shaders, const GrassFrame& frame,
+void ViewRaster::preparePipelines(const gpu::ShaderLibrary& shaders, const GrassFrame& frame,
                                   const PreparedFields& fields) const
 {
-    HostPasses passes(*context_, *shadowMaps_, 1, 1);
+    ViewPasses passes(*context_, *shadowMaps_, 1, 1);
     for (const HostView& view : frame.views) {
         if (obstacle(view, {}) != nullptr)
             continue;
         std::vector<RasterPass::Variant> variants;
         for (const ResidentField* field : fields.fields)
-            variants.push_back(variantOf(view, *field, settings_.groupsDrawLarge));
-        HostPasses::Kind kind{.settings = frame.settings,
+            variants.push_back(
+                variantOf(view, Access::of(*field).field, settings_.groupsDrawLarge));
+        ViewPasses::Kind kind{.settings = frame.settings,
                               .isLit = isLitByHost(frame.light, view),
                               .stores = storeObstacle(view, {}, frame.settings) == nullptr};
         if (fields.several) {
@@ -145,25 +149,33 @@ void HostRaster::preparePipelines(const gpu::ShaderLibrary& shaders, const Grass
     }
 }
 
-void HostRaster::prepare(const HostView& view, std::uint32_t index, View& out)
+void ViewRaster::prepare(const HostView& view, const ViewDrawing& drawing, std::uint32_t index,
+                         View& out)
 {
     out.isRastered = true;
+    out.hasTwoPasses = drawing.hasTwoPasses;
+    out.layer = drawing.layer;
+    if (out.hasTwoPasses && !shadingCache_)
+        shadingCache_.emplace(*context_);
     if (!largeList_)
         largeList_ = std::make_shared<LargeBladeList>(*context_, settings_.groupsDrawLarge);
     out.large = largeList_;
 
     Pictures& pictures = pictures_[index];
     const VkDeviceSize bytes = visibilityBytes(view.size, view.samples);
+    const gpu::Buffer* const former = pictures.visibility.get();
     fit(*context_, pictures.visibility, "view/visibility", bytes);
-    fit(*context_, pictures.tiles, "view/tiles",
-        VkDeviceSize(tileCount(view.size)) * sizeof(std::uint32_t));
+    pictures.isEmpty = pictures.isEmpty && pictures.visibility.get() == former;
+    if (drawing.layer == nullptr)
+        fit(*context_, pictures.tiles, "view/tiles",
+            VkDeviceSize(tileCount(view.size)) * sizeof(std::uint32_t));
     if (settings_.keepsMotion)
         fit(*context_, pictures.motions, "view/motions", bytes / 2);
     out.pictures = pictures;
     out.push = {.instances = 0,
                 .visibility = pictures.visibility->address(),
                 .motions = pictures.motions ? pictures.motions->address() : 0,
-                .tiles = pictures.tiles->address(),
+                .tiles = pictures.tiles ? pictures.tiles->address() : 0,
                 .size = view.size,
                 .instanceCount = 0,
                 .slack = view.depth ? view.depth->slack : 0.0f,
@@ -171,40 +183,40 @@ void HostRaster::prepare(const HostView& view, std::uint32_t index, View& out)
 }
 
 /// Makes what rasterises and lights a view of at least one instance.
-void HostRaster::prepareShading(const gpu::ShaderLibrary& shaders, std::uint32_t slotIndex,
-                                std::uint32_t index, const HostView& view, Instances instances,
+void ViewRaster::prepareShading(const gpu::ShaderLibrary& shaders, std::uint32_t slotIndex,
+                                std::uint32_t index, const HostView& view,
+                                const ViewDrawing& drawing, Instances instances,
                                 const FrameSettings& settings)
 {
     View& out = slots_[slotIndex].views[index];
-    out.hasTwoPasses = hasTwoPasses(view, instances, settings);
-    if (out.hasTwoPasses && !shadingCache_)
-        shadingCache_.emplace(*context_);
     std::vector<RasterPass::Variant> variants;
     for (const PlacedField* instance : instances)
         variants.push_back(variantOf(view, instance->field(), settings_.groupsDrawLarge));
-    const bool stores = storeObstacle(view, instances, settings) == nullptr;
+    const bool stores = drawing.storeObstacle == nullptr;
     out.pipelines = passes_.prepare(shaders, view,
                                     {.instances = variants,
                                      .settings = settings,
                                      .hasTwoPasses = out.hasTwoPasses,
+                                     .hasLayer = out.layer != nullptr,
                                      .isLit = shadowMaps_->isLit(slotIndex, index),
                                      .stores = stores});
-    out.lighting =
-        passes_.lighting().prepare(slotIndex, index, view, stores, *out.pipelines.lighting);
+    if (out.layer == nullptr)
+        out.lighting =
+            passes_.lighting().prepare(slotIndex, index, view, stores, *out.pipelines.lighting);
 }
 
-void HostRaster::begin(const gpu::ShaderLibrary& shaders, std::uint32_t slotIndex,
-                       std::span<const HostView> views,
-                       std::span<const PlacedField* const> instances, const FrameSettings& settings)
+void ViewRaster::begin(const gpu::ShaderLibrary& shaders, std::uint32_t slotIndex,
+                       std::span<const HostView> views, std::span<const ViewDrawing> drawings,
+                       Instances instances, const FrameSettings& settings)
 {
     Slot& slot = slots_[slotIndex];
     std::ranges::fill(slot.views, View{});
     bool rasters = false;
     for (std::uint32_t i = 0; i < slot.views.size(); ++i) {
-        if (i < views.size() && obstacle(views[i], instances) == nullptr) {
-            prepare(views[i], i, slot.views[i]);
+        if (i < views.size() && drawings[i].obstacle == nullptr) {
+            prepare(views[i], drawings[i], i, slot.views[i]);
             if (!instances.empty())
-                prepareShading(shaders, slotIndex, i, views[i], instances, settings);
+                prepareShading(shaders, slotIndex, i, views[i], drawings[i], instances, settings);
             rasters = true;
         } else {
             pictures_[i] = {};
@@ -219,7 +231,7 @@ void HostRaster::begin(const gpu::ShaderLibrary& shaders, std::uint32_t slotInde
     writeTable(slot, slotIndex, views, instances);
 }
 
-RasterPass::View HostRaster::viewOf(const View& view)
+RasterPass::View ViewRaster::viewOf(const View& view)
 {
     RasterPass::View result{.instances = view.instances,
                             .large = view.large.get(),
@@ -230,7 +242,7 @@ RasterPass::View HostRaster::viewOf(const View& view)
     return result;
 }
 
-void HostRaster::writeTable(Slot& slot, std::uint32_t slotIndex, std::span<const HostView> views,
+void ViewRaster::writeTable(Slot& slot, std::uint32_t slotIndex, std::span<const HostView> views,
                             std::span<const PlacedField* const> instances) const
 {
     const VkDeviceSize bytes = views.size() * instances.size() * sizeof(shared::HostInstance);
@@ -247,14 +259,14 @@ void HostRaster::writeTable(Slot& slot, std::uint32_t slotIndex, std::span<const
         const std::size_t first = v * instances.size();
         view.push.instances = slot.table.address() + first * sizeof(shared::HostInstance);
         view.push.instanceCount = static_cast<std::uint32_t>(instances.size());
-        std::uint32_t id = firstId;
+        std::uint32_t id = view.layer != nullptr ? view.layer->firstBlade : firstId;
         for (std::uint32_t i = 0; i < instances.size(); ++i) {
             const PlacedField& field = *instances[i];
-            const VkDeviceAddress frame = field.rasterFrame(slotIndex, v).address;
+            const VkDeviceAddress frame = field.place(slotIndex, Kind::raster, v).address;
             shared::HostInstance entry = {};
             entry.raster.frame = frame;
             entry.raster.cullView =
-                views[v].cullViewFrom ? field.cullView(slotIndex, v).address : frame;
+                views[v].cullViewFrom ? field.place(slotIndex, Kind::culling, v).address : frame;
             entry.raster.visibility = view.push.visibility;
             entry.raster.rounds = field.list(v).rounds().address();
             view.large->describe(entry.raster);
@@ -265,12 +277,13 @@ void HostRaster::writeTable(Slot& slot, std::uint32_t slotIndex, std::span<const
             entry.raster.nonEmptyPatches = field.blades().nonEmptyPatches();
             entry.raster.firstNonEmptyPatches = field.blades().firstNonEmptyPatches();
             entry.raster.size = views[v].size;
+            entry.raster.isBgr = view.layer != nullptr && view.layer->isBgr ? 1u : 0u;
             entry.raster.firstBlade = id;
             entry.raster.instance = i;
             entry.motion = field.motion(slotIndex, v);
             table[first + i] = entry;
             view.instances.push_back(
-                {.frame = field.rasterFrame(slotIndex, v),
+                {.frame = field.place(slotIndex, Kind::raster, v),
                  .list = &field.list(v),
                  .variant = variantOf(views[v], field.field(), settings_.groupsDrawLarge),
                  .push = entry.raster});
@@ -279,7 +292,7 @@ void HostRaster::writeTable(Slot& slot, std::uint32_t slotIndex, std::span<const
     }
 }
 
-void HostRaster::recordBegin(const gpu::Recording& commands, std::uint32_t slotIndex,
+void ViewRaster::recordBegin(const gpu::Recording& commands, std::uint32_t slotIndex,
                              std::uint32_t viewIndex, const gpu::ImageSet* depth)
 {
     const View& view = slots_[slotIndex].views[viewIndex];
@@ -304,8 +317,35 @@ void HostRaster::recordBegin(const gpu::Recording& commands, std::uint32_t slotI
     gpu::computeToCompute(commands);
 }
 
-void HostRaster::record(const gpu::Recording& commands, std::uint32_t slotIndex,
-                        std::uint32_t viewIndex, Instances instances)
+void ViewRaster::recordLayer(const gpu::Recording& commands, std::uint32_t slotIndex,
+                             std::uint32_t viewIndex, bool fillsPyramid,
+                             gpu::Timestamps* timestamps)
+{
+    View& view = slots_[slotIndex].views[viewIndex];
+    {
+        const DispatchScope scope(*context_, commands, timestamps, "ground");
+        if (!std::exchange(pictures_[viewIndex].isEmpty, true))
+            commands.vk->CmdFillBuffer(commands, view.pictures.visibility->get(), 0, VK_WHOLE_SIZE,
+                                       0);
+        view.large->clear(commands);
+        clearedFor_ = viewIndex;
+        view.layer->clear(commands);
+        gpu::memoryBarrier(commands, gpu::fillAccess, gpu::dispatchAccess);
+        view.layer->draw(commands, view.pictures.visibility->address());
+        gpu::computeToCompute(commands);
+    }
+    if (!fillsPyramid || view.instances.empty())
+        return;
+    {
+        const DispatchScope scope(*context_, commands, timestamps, "pyramid");
+        passes_.raster().recordDepths(commands, viewOf(view), RasterPass::Levels::all);
+    }
+    gpu::computeToCompute(commands);
+}
+
+void ViewRaster::record(const gpu::Recording& commands, std::uint32_t slotIndex,
+                        std::uint32_t viewIndex, Instances instances, const Rounds& rounds,
+                        gpu::Timestamps* timestamps)
 {
     View& view = slots_[slotIndex].views[viewIndex];
     if (std::exchange(clearedFor_, std::nullopt) != viewIndex) {
@@ -328,15 +368,25 @@ void HostRaster::record(const gpu::Recording& commands, std::uint32_t slotIndex,
                      .pass = passes_.raster(),
                      .view = rastered,
                      .hasTwoPasses = view.hasTwoPasses,
-                     .shadingCache = view.pipelines.cache}
-            .record(commands, nullptr);
-        gpu::computeToCompute(commands);
-        HostLighting::record(commands, view.lighting, isOfOne ? &first.frame : nullptr, view.push);
+                     .shadingCache = view.pipelines.cache,
+                     .rounds = rounds.count,
+                     .list = rounds.list}
+            .record(commands, timestamps);
+        if (view.layer == nullptr) {
+            gpu::computeToCompute(commands);
+            HostLighting::record(commands, view.lighting, isOfOne ? &first.frame : nullptr,
+                                 view.push);
+        }
     }
     gpu::memoryBarrier(commands, gpu::computeAccess, gpu::anyAccess);
 }
 
-void HostRaster::recordDraw(const gpu::Recording& commands, std::uint32_t slot, std::uint32_t view,
+const shared::RasterPush& ViewRaster::pushOf(std::uint32_t slot, std::uint32_t view) const
+{
+    return slots_[slot].views[view].instances.front().push;
+}
+
+void ViewRaster::recordDraw(const gpu::Recording& commands, std::uint32_t slot, std::uint32_t view,
                             const gpu::GraphicsPipeline& pipeline) const
 {
     const shared::HostViewPush& push = slots_[slot].views[view].push;
@@ -347,7 +397,7 @@ void HostRaster::recordDraw(const gpu::Recording& commands, std::uint32_t slot, 
     commands.vk->CmdDraw(commands, 6 * tileCount(push.size), 1, 0, 0);
 }
 
-VkDeviceSize HostRaster::bytes() const
+VkDeviceSize ViewRaster::bytes() const
 {
     // Count each buffer once: slots and views share them.
     std::map<const void*, VkDeviceSize> held;

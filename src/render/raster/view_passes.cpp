@@ -1,4 +1,4 @@
-#include "render/raster/host_passes.h"
+#include "render/raster/view_passes.h"
 
 #include "render/frame/shader_names.h"
 #include "render/resolve/target_settings.h"
@@ -8,7 +8,7 @@
 namespace sward::render {
 namespace {
 
-HostLighting::Settings lightingOf(const HostPasses::Kind& kind)
+HostLighting::Settings lightingOf(const ViewPasses::Kind& kind)
 {
     HostLighting::Settings lighting{.debugMode = knownDebugMode(kind.settings.debug),
                                     .isOfOne = kind.instances.size() == 1};
@@ -22,7 +22,7 @@ HostLighting::Settings lightingOf(const HostPasses::Kind& kind)
 
 } // namespace
 
-HostPasses::HostPasses(const gpu::DeviceContext& context, const HostShadowMaps& shadowMaps,
+ViewPasses::ViewPasses(const gpu::DeviceContext& context, const HostShadowMaps& shadowMaps,
                        std::uint32_t slots, std::uint32_t maxViews)
     : context_(&context)
     , raster_(context)
@@ -34,13 +34,16 @@ HostPasses::HostPasses(const gpu::DeviceContext& context, const HostShadowMaps& 
 {
 }
 
-HostPasses::Pipelines HostPasses::prepare(const gpu::ShaderLibrary& shaders, const HostView& view,
+ViewPasses::Pipelines ViewPasses::prepare(const gpu::ShaderLibrary& shaders, const HostView& view,
                                           const Kind& kind)
 {
     raster_.prepare(shaders, kind.instances, kind.hasTwoPasses);
     const HostLighting::Settings lighting = lightingOf(kind);
     Pipelines made;
-    made.seed = seedOf(shaders, view);
+    if (kind.hasLayer)
+        raster_.prepareAllDepths(shaders, kind.instances.front());
+    else
+        made.seed = seedOf(shaders, view);
     if (kind.hasTwoPasses)
         made.cache =
             &shadingCache_.prepare(shaders, {.samples = view.samples,
@@ -48,13 +51,14 @@ HostPasses::Pipelines HostPasses::prepare(const gpu::ShaderLibrary& shaders, con
                                                          .limitsLeafArea = lighting.limitsLeafArea,
                                                          .hasShadingCache = true},
                                              .looks = lighting.looks});
-    made.lighting = &lighting_.pipelineOf(
-        shaders, HostLighting::settingsOf(view, kind.stores, kind.isLit, lighting));
+    if (!kind.hasLayer)
+        made.lighting = &lighting_.pipelineOf(
+            shaders, HostLighting::settingsOf(view, kind.stores, kind.isLit, lighting));
     return made;
 }
 
 /// What starts the visibility of a view from its depth; null: it starts cleared.
-const gpu::ComputePipeline* HostPasses::seedOf(const gpu::ShaderLibrary& shaders,
+const gpu::ComputePipeline* ViewPasses::seedOf(const gpu::ShaderLibrary& shaders,
                                                const HostView& view)
 {
     // Depth with another number of samples does not match the view's samples.

@@ -20,25 +20,26 @@ namespace sward::render {
 class HostShadowMaps;
 
 /// The passes that rasterise and light hosts' views, with their pipelines.
-class HostPasses {
+class ViewPasses {
 public:
-    HostPasses(const gpu::DeviceContext& context, const HostShadowMaps& shadowMaps,
+    ViewPasses(const gpu::DeviceContext& context, const HostShadowMaps& shadowMaps,
                std::uint32_t slots, std::uint32_t maxViews);
 
     /// What the pipelines of a view depend on besides the view.
     struct Kind {
         std::span<const RasterPass::Variant> instances{}; ///< at least one
         const FrameSettings& settings;
-        bool hasTwoPasses = false; ///< see HostRaster::hasTwoPasses()
+        bool hasTwoPasses = false; ///< see ViewRaster::hasTwoPasses()
+        bool hasLayer = false;     ///< an opaque layer, which makes the picture
         bool isLit = false;        ///< has light of the host's
         bool stores = false;       ///< into the view's picture
     };
 
     /// The pipelines of a view, which stay valid; RasterPass has further ones.
     struct Pipelines {
-        const gpu::ComputePipeline* seed = nullptr;  ///< null: the visibility starts cleared
-        const gpu::ComputePipeline* cache = nullptr; ///< of the shading cache; null: none
-        const gpu::ComputePipeline* lighting = nullptr;
+        const gpu::ComputePipeline* seed = nullptr;     ///< null: the visibility starts cleared
+        const gpu::ComputePipeline* cache = nullptr;    ///< of the shading cache; null: none
+        const gpu::ComputePipeline* lighting = nullptr; ///< null: a layer makes the picture
     };
 
     /// Makes the pipelines of a view on first use.

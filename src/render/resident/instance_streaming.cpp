@@ -1,4 +1,4 @@
-#include "render/resident/host_streaming.h"
+#include "render/resident/instance_streaming.h"
 
 #include "gpu/recording/barrier.h"
 
@@ -6,7 +6,7 @@
 
 namespace sward::render {
 
-void HostStreaming::findFields(std::span<const PlacedField* const> instances)
+void InstanceStreaming::findFields(std::span<const PlacedField* const> instances)
 {
     fields_.clear();
     for (const PlacedField* instance : instances)
@@ -15,8 +15,8 @@ void HostStreaming::findFields(std::span<const PlacedField* const> instances)
             fields_.push_back(instance->streaming());
 }
 
-void HostStreaming::record(const gpu::Recording& commands, std::uint32_t slot,
-                           std::uint32_t settledAt, std::span<const PlacedField* const> instances)
+void InstanceStreaming::record(const gpu::Recording& commands, std::uint32_t slot,
+                               std::uint32_t settledAt, std::span<PlacedField* const> instances)
 {
     findFields(instances);
     bool hasRecorded = false;
@@ -34,7 +34,7 @@ void HostStreaming::record(const gpu::Recording& commands, std::uint32_t slot,
         field->choose(seen_, slot);
 
         std::size_t first = 0;
-        for (const PlacedField* instance : instances) {
+        for (PlacedField* const instance : instances) {
             if (instance == nullptr || instance->streaming() != field)
                 continue;
             const std::size_t views = instance->seen().size();
@@ -48,7 +48,7 @@ void HostStreaming::record(const gpu::Recording& commands, std::uint32_t slot,
         gpu::memoryBarrier(commands, gpu::fillAccess, gpu::dispatchAccess);
 }
 
-StreamingStats HostStreaming::stats(std::span<const PlacedField* const> instances)
+StreamingStats InstanceStreaming::stats(std::span<const PlacedField* const> instances)
 {
     findFields(instances);
     StreamingStats sum;

@@ -1,4 +1,4 @@
-#include "render/cull/visible_patch_bound.h"
+#include "render/resident/visible_patch_bound.h"
 
 #include "shaders/shared/visibility.h"
 

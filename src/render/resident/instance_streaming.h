@@ -12,14 +12,14 @@
 namespace sward::render {
 
 /// Streams the fields of a host's frame: pages are chosen by all views of all instances of a field.
-class HostStreaming {
+class InstanceStreaming {
 public:
     /// Chooses pages for the frame written in `slot`, thins its instances to what is resident, and
     /// records the copies. Null instances are skipped. Needs a barrier from all accesses before;
     /// records one to compute shaders. Records nothing if no field is streamed. `settledAt`: see
     /// settledTick().
     void record(const gpu::Recording& commands, std::uint32_t slot, std::uint32_t settledAt,
-                std::span<const PlacedField* const> instances);
+                std::span<PlacedField* const> instances);
 
     /// Sums over the distinct fields of `instances`.
     StreamingStats stats(std::span<const PlacedField* const> instances);

@@ -1,0 +1,55 @@
+#include "render/resident/device_field.h"
+
+#include <cstddef>
+#include <utility>
+
+namespace sward::render {
+namespace {
+
+/// Nodes of the patch tree that bound the number of rounds of a frame: about 20 µs.
+constexpr std::size_t nodesOfBound = 2048;
+
+BakedBlades bladesOf(const gpu::DeviceContext& context, gpu::BufferUpload& upload,
+                     const field::FieldView& field, const DeviceField::Settings& settings)
+{
+    if (settings.edited)
+        return {context, upload, field, *settings.edited};
+    return {context, upload, field, settings.walkStart, settings.pages};
+}
+
+} // namespace
+
+DeviceField::DeviceField(const gpu::DeviceContext& context, const gpu::ShaderLibrary& shaders,
+                         gpu::BufferUpload& upload, const field::FieldView& field, GrassCover made,
+                         Settings settings)
+    : cover(std::move(made))
+    , blades(bladesOf(context, upload, field, settings))
+    , shape{field.origin, field.bounds(), blades.bladeSize(), settings.exposure}
+    , looks(looksOf(field))
+{
+    if (settings.boundsRounds)
+        bound.emplace(field, nodesOfBound);
+    if (blades.isPaged())
+        streaming =
+            std::make_unique<Streaming>(context, shaders, field, blades, settings.streaming);
+    if (settings.edited)
+        edits = std::make_unique<ResidentEdits>(context, shaders, std::move(settings.edited),
+                                                ResidentEdits::Field{blades, cover, shape},
+                                                settings.framesInFlight);
+}
+
+void DeviceField::apply(const field::Delta& delta)
+{
+    edits->apply(delta);
+    if (bound)
+        for (const field::CellChange& change : delta.cells)
+            bound->replace(change.cell, change.patches);
+}
+
+VkDeviceSize DeviceField::bytes() const
+{
+    return blades.bytes() + cover.bytes() + (streaming ? streaming->bytes() : 0) +
+           (edits ? edits->bytes() : 0);
+}
+
+} // namespace sward::render
