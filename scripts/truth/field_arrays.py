@@ -205,7 +205,8 @@ def frame_around(up):
 
 def dumped(path):
     """Ids and control points of `sward-view render --dump-blades`."""
-    names = Path(path).open(encoding="ascii").readline().strip().split(",")
+    with Path(path).open(encoding="ascii") as file:
+        names = file.readline().strip().split(",")
     numbers = [names.index(name) for name in ("x", "y", "z", "v1x", "v1y", "v1z", "v2x", "v2y", "v2z")]
     points = np.loadtxt(path, delimiter=",", skiprows=1, usecols=numbers, ndmin=2)
     ids = np.loadtxt(path, delimiter=",", skiprows=1, usecols=[names.index("id")], dtype=np.int64, ndmin=1)

@@ -1,8 +1,8 @@
 """Draws blades and ground in Blender's Cycles; runs inside Blender: blender -b --factory-startup -P in_cycles.py -- WORK.json
 
-WORK.json: {"arrays": file of field_arrays.py, "size": [w, h], "samples", "bounces", "gloss": bool, "threads", "seed",
+WORK.json: {"arrays": file of field_arrays.py, "size": [w, h], "samples", "bounces", "gloss": bool, "threads",
 "sky": radiance from above, "below": radiance from below, "up": unit, "views": [{"camera": {eye, target, up, fov_y_deg},
-"sun": direction towards it, "color": its radiance as sward-view's settings state it, "output": an EXR file}]}.
+"sun": direction towards it, "color": its radiance as sward-view's settings state it, "seed", "output": an EXR file}]}.
 Every picture has the light groups `sun` and `sky`, the whole, and alpha 0 where there is sky.
 """
 
@@ -126,7 +126,7 @@ def place_camera(camera, view):
 def set_up_render(scene, work):
     render, cycles = scene.render, scene.cycles
     render.engine = "CYCLES"
-    cycles.device, cycles.samples, cycles.seed = "CPU", work["samples"], work["seed"]
+    cycles.device, cycles.samples = "CPU", work["samples"]
     cycles.use_adaptive_sampling = cycles.use_denoising = False
     cycles.max_bounces = cycles.diffuse_bounces = cycles.glossy_bounces = cycles.transmission_bounces = work["bounces"]
     cycles.transparent_max_bounces = work["bounces"]
@@ -173,6 +173,7 @@ def main(path):
     set_up_render(scene, work)
     for view in work["views"]:
         place_camera(camera, view["camera"])
+        scene.cycles.seed = view["seed"]
         sun.data.color = view["color"]
         sun.rotation_quaternion = Vector(view["sun"]).to_track_quat("Z", "Y")
         # Whole or not at all.
@@ -181,10 +182,4 @@ def main(path):
         os.rename(view["output"] + ".part", view["output"])
 
 
-# Blender goes on after an exception, and ends with success.
-try:
-    main(sys.argv[sys.argv.index("--") + 1])
-except Exception as error:  # whatever it is, it fails the process
-    print(f"in_cycles: {error}", file=sys.stderr)
-    sys.stderr.flush()
-    os._exit(4)
+main(sys.argv[sys.argv.index("--") + 1])

@@ -4,7 +4,7 @@ import math
 
 # Side of the flat grounds [m]: whatever the cameras below see, and 3 m more for suns down to 15°.
 SIDE = 12
-PLANE = {"kind": "plane", "extent": [SIDE, SIDE]}
+PLANE = {"kind": "plane", "size": [SIDE, SIDE], "cells": [24, 24]}
 # Light that both renderers have: no gloss, which is judged by --gloss.
 MATTE = ["--blade-scale", "1", "--set", "species.*.gloss=0", "--seed", "1"]
 
