@@ -2,6 +2,7 @@
 #ifndef SWARD_BLADE_BLADE_COLORS_GLSL
 #define SWARD_BLADE_BLADE_COLORS_GLSL
 
+#include "shaders/blade/blade_surface.glsl"
 #include "shaders/blade/drawn_blade.glsl"
 #include "shaders/common/lighting.glsl"
 #include "shaders/shared/cull_result_color.h"
@@ -55,20 +56,13 @@ BladeColors bladeColors(Blade blade, Species species, float leafArea)
     return colors;
 }
 
-/// The lighting inputs of a blade, computed once per blade.
-struct BladeSurface {
-    vec4 root;     ///< colour, and the share of the sun that reaches the root
-    vec4 tip;      ///< colour, and the share of the sun that reaches the tip
-    vec4 material; ///< open sky, translucency, gloss, leaf area index
-};
-
 /// A ray gets deeper into grass under a leaf-area limit than into the whole field. So every place is lit and coloured
 /// as a higher one, with the share `above` of the leaf area over it.
 BladeSurface liftedSurface(BladeSurface surface, float above)
 {
     const float root = 1.0 - heightWithLeafShare(above);
     surface.root = vec4(mix(surface.root.rgb, surface.tip.rgb, tipShareAt(root)), mix(surface.root.w, surface.tip.w, root));
-    surface.material.w *= above;
+    surface.material.y *= above;
     return surface;
 }
 
@@ -77,7 +71,8 @@ BladeSurface bladeSurface(DrawnBlade drawn, VisibleBlade visible, LeafAreaLimit 
 {
     const Blade blade = drawn.blade;
     const Species species = drawn.species;
-    const float leafArea = leafAreaAt(FRAME.cover, blade.root);
+    const vec2 grass = grassAt(FRAME.cover, blade.root);
+    const float leafArea = grass.x;
     BladeColors colors = bladeColors(blade, species, leafArea);
     if (debugMode() == 1u)
         colors.tip = mix(vec3(0.1, 0.6, 0.1), vec3(1.0, 0.1, 0.0),
@@ -96,9 +91,11 @@ BladeSurface bladeSurface(DrawnBlade drawn, VisibleBlade visible, LeafAreaLimit 
     BladeSurface surface;
     surface.root = vec4(colors.root, risen * sunSeen(FRAME.shadow, drawn.ribbon.v0, blade.up));
     surface.tip = vec4(colors.tip, risen * sunSeen(FRAME.shadow, drawn.ribbon.v2, blade.up));
-    // Only the leaves above a ribbon's base shade it.
-    surface.material = vec4(blade.exposure, species.translucency, species.gloss,
-                            leavesAround(FRAME.cover, leafArea) * leafShareAbove(drawn.base));
+    const vec3 heights = vec3(dot(drawn.ribbon.v0 - blade.root, blade.up), dot(drawn.ribbon.v1 - blade.root, blade.up),
+                              dot(drawn.ribbon.v2 - blade.root, blade.up));
+    surface.material = vec4(packedLook(vec3(blade.exposure, species.translucency, species.gloss)),
+                            leavesAround(FRAME.cover, leafArea),
+                            packedHeights(heightStepsPerMetre(FRAME.cover, grass) * heights), 0.0);
     return limit.light < 1.0 ? liftedSurface(surface, limit.light) : surface;
 }
 

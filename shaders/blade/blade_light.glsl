@@ -2,7 +2,9 @@
 #ifndef SWARD_BLADE_BLADE_LIGHT_GLSL
 #define SWARD_BLADE_BLADE_LIGHT_GLSL
 
+#include "shaders/blade/blade_surface.glsl"
 #include "shaders/common/lighting.glsl"
+#include "shaders/shared/noise.h"
 
 struct BladePoint {
     vec3 position; ///< relative to the field's origin
@@ -13,7 +15,11 @@ struct BladePoint {
     vec2 place;    ///< −1 … 1 across, 0 … 1 along
     vec4 rootColor; ///< colour, and the share of the sun that reaches the root
     vec4 tipColor;  ///< colour, and the share of the sun that reaches the tip
-    vec4 material;  ///< open sky, translucency, gloss, leaf area index
+    vec3 look;      ///< open sky, translucency, gloss
+    float leafAbove; ///< leaf area above it …
+    float leafBelow; ///< … and below
+    uint seed;      ///< of the blade
+    float flecks;   ///< length of the blade in fleckLength()
 };
 
 /// Normal of the visible side, rounded across the blade. Leans to the up-vector where a blade is too small to show its
@@ -29,7 +35,7 @@ vec3 bladeNormal(BladePoint point, vec3 toEye, float distance)
     n *= dot(n, toEye) < 0.0 ? -1.0 : 1.0;
     const float smallness = smoothstep(4.0, 60.0, distance * 1000.0 / FRAME.view.pixelsPerUnit);
     n = normalize(n + (0.55 * (1.0 - point.fold) * (1.0 - smallness) * point.place.x) * point.axis);
-    return normalize(mix(n, point.up, 0.30 + 0.50 * smallness));
+    return normalize(mix(n, point.up, 0.35 * smallness));
 }
 
 /// Scattering of light from one direction towards the eye.
@@ -40,15 +46,16 @@ struct Scattering {
     float shine;   ///< soft gloss: a strand shines along its tangent (Kajiya & Kay 1989)
 };
 
+/// Light that a leaf lets through, relative to what it reflects, times its translucency.
+const float throughShare = 0.8;
+
 /// `source`: unit, towards the source of light.
 Scattering scatteringOf(vec3 source, vec3 n, vec3 toEye, vec3 tangent)
 {
     Scattering scattering;
     scattering.facing = dot(n, source);
-    scattering.diffuse = max((scattering.facing + 0.3) / 1.69, 0.0);
-    const float behind = max(-scattering.facing, 0.0);
-    const float towards = pow(max(-dot(toEye, source), 0.0), 4.0);
-    scattering.through = 0.8 * behind + 0.9 * towards;
+    scattering.diffuse = max((scattering.facing + 0.1) / 1.21, 0.0);
+    scattering.through = throughShare * max(-scattering.facing, 0.0);
     // A source exactly behind the blade has no direction halfway.
     const vec3 sum = source + toEye;
     const float strand = dot(tangent, sum * inversesqrt(max(dot(sum, sum), 1e-12)));
@@ -59,28 +66,57 @@ Scattering scatteringOf(vec3 source, vec3 n, vec3 toEye, vec3 tangent)
 /// Tint of the light through a blade: yellower than the reflected light.
 const vec3 throughTint = vec3(1.25, 1.15, 0.45);
 
-/// Light that reaches a point, before the shade of its neighbours.
+/// Light that reaches a point. Its neighbours shade the first two, not yet the others.
 struct Incoming {
     vec3 around;   ///< diffuse, on the side of the normal
+    vec3 behind;   ///< the same on the other side
     vec3 above;    ///< diffuse, from the sky's up-vector
     vec3 mirrored; ///< radiance of the sky, for gloss
     vec3 sun;      ///< of the sun, where it is seen
 };
 
-/// The frame's own light.
-Incoming incomingFromSky(vec3 n)
+/// The frame's own light, of which leaves leave `open.x` of the sky and `open.y` of the ground.
+Incoming incomingFromSky(vec3 n, vec2 open)
 {
-    return Incoming(hemisphere(n), 1.25 * FRAME.skyColor, FRAME.skyColor, FRAME.sunColor);
+    const vec3 sky = 1.25 * open.x * FRAME.skyColor;
+    const vec3 ground = open.y * FRAME.groundColor;
+    const float up = 0.5 + 0.5 * dot(n, FRAME.skyUp);
+    return Incoming(mix(ground, sky, up), mix(sky, ground, up), 1.25 * FRAME.skyColor, FRAME.skyColor, FRAME.sunColor);
 }
 
 #ifdef HOST_LIGHT
 #include "shaders/blade/host_light.glsl"
 #else
-Incoming incomingAt(vec3 position, vec3 up, vec3 n)
+Incoming incomingAt(vec3 position, vec3 up, vec3 n, vec2 open)
 {
-    return incomingFromSky(n);
+    return incomingFromSky(n, open);
 }
 #endif
+
+/// Half the width of a fleck's penumbra, as a share of sun.
+const float fleckEdge = 0.15;
+
+/// The share of the sun at one fleck of a blade, where `mean` is the share at all.
+float fleckAt(uint key, float mean)
+{
+    const float chance = float(mixUint(key) >> 8u) * (1.0 / 16777216.0);
+    return clamp((mean - chance) / (2.0 * fleckEdge) + 0.5, 0.0, 1.0);
+}
+
+/// The share of the sun at a point of a blade among others, whose mean over many blades is `mean`: leaves above let
+/// through all of the sun or none. Flecks stay where they are on a blade; where they are smaller than a pixel, there is
+/// their mean.
+float fleckOf(BladePoint point, float mean, float distance)
+{
+    const float pixels = FRAME.view.pixelsPerUnit * fleckLength() / distance;
+    const float seen = smoothstep(1.0, 4.0, pixels);
+    if (seen <= 0.0)
+        return mean;
+    const float at = point.place.y * point.flecks;
+    const uint key = point.seed + uint(at) * 0x9e3779b9u;
+    const float fleck = mix(fleckAt(key, mean), fleckAt(key + 0x9e3779b9u, mean), smoothstep(0.3, 0.7, fract(at)));
+    return mix(mean, fleck, seen);
+}
 
 /// The film colour of a point of a blade.
 vec3 bladePicture(BladePoint point)
@@ -88,9 +124,9 @@ vec3 bladePicture(BladePoint point)
     // A sample can hit the blade while the pixel's middle misses it; the place then lies beyond the rim.
     point.place = clamp(point.place, vec2(-1.0, 0.0), vec2(1.0));
     const float along = point.place.y;
-    const float openSky = point.material.x;
-    const float translucency = point.material.y;
-    const float gloss = point.material.z;
+    const float openSky = point.look.x;
+    const float translucency = point.look.y;
+    const float gloss = point.look.z;
     const vec3 sun = FRAME.sunDirection;
     const vec3 ray = FRAME.view.eye - point.position;
     const float distance = length(ray);
@@ -105,21 +141,23 @@ vec3 bladePicture(BladePoint point)
 
     // Neighbours absorb light before it reaches this point: more where they are denser, and only by the part of their
     // leaf area above it.
-    const float leafArea = point.material.w * leafShareAbove(along);
+    const float leafArea = point.leafAbove;
     const float upright = dot(point.up, sun);
     const float risen = mix(point.rootColor.w, point.tipColor.w, along);
-    const float sunlit = openSky * risen * sunBelow(leafArea, upright);
+    const float sunlit = openSky * risen * fleckOf(point, sunBelow(leafProjectionOf(FRAME.cover), leafArea, upright), distance);
 
-    // Light from sky and ground.
-    const Incoming incoming = incomingAt(point.position, point.up, n);
-    vec3 light = incoming.around * (openSky * skyBelow(leafArea)) +
-                 openSky * lightAmongLeaves(leafArea, upright, risen, incoming.sun, incoming.above);
+    // Light from sky and ground, on this side and through the blade, and what leaves around pass on.
+    const vec2 open = openSky * vec2(skyBelow(leafArea), skyBelow(point.leafBelow));
+    const Incoming incoming = incomingAt(point.position, point.up, n, open);
+    const vec3 through = throughTint * translucency;
+    const vec3 leaf = albedo * (1.0 + throughShare * through);
+    vec3 light = incoming.around + throughShare * through * incoming.behind +
+                 openSky * (1.0 + throughShare * through) *
+                     lightAmongLeaves(leafArea, 1.0 - skyBelow(point.leafBelow), upright, risen * incoming.sun, incoming.above, leaf);
     // Sun: diffuse, through the blade, and gloss in the upper half.
     const Scattering scattering = scatteringOf(sun, n, toEye, point.tangent);
-    light += incoming.sun * (scattering.diffuse * sunlit);
+    light += incoming.sun * (sunlit * (scattering.diffuse + through * scattering.through));
     vec3 color = albedo * light;
-    const vec3 through = albedo * throughTint;
-    color += incoming.sun * through * (translucency * sunlit * scattering.through);
     const float fresnel = 0.04 + 0.25 * pow(1.0 - max(dot(n, toEye), 0.0), 5.0);
     color += (gloss * sunlit * along * max(scattering.facing + 0.2, 0.0)) *
              (incoming.sun * scattering.shine * 0.25 + incoming.mirrored * fresnel);

@@ -22,20 +22,18 @@ struct DrawnBlade {
     Ribbon ribbon;
     Blade blade; ///< `height` is the ribbon's length
     Species species; ///< of a ribbon on a stalk: the organ's look
-    float base; ///< [0, 1] height of the ribbon's base on its plant; 0 for all others
 };
 
 /// A blade, a stalk or a ribbon on one, with its curve and its look.
 struct PosedLook {
     PosedBlade posed;
     Species look;
-    float base;  ///< as in DrawnBlade
     uint number; ///< ribbonNumber()
 };
 
 PosedLook posedLook(Blade blade, BladeState state)
 {
-    PosedLook part = PosedLook(posedBlade(blade, state), FRAME.species.at[blade.species], 0.0, 0u);
+    PosedLook part = PosedLook(posedBlade(blade, state), FRAME.species.at[blade.species], 0u);
     if (!mayHaveOrgans || part.look.organKinds == 0u)
         return part;
     part.number = blade.clump;
@@ -45,7 +43,6 @@ PosedLook posedLook(Blade blade, BladeState state)
         const Organ organ = organs.at[organOf(organs, part.look, part.number, within)];
         part.posed = posedRibbon(part.posed, organ, part.number, within);
         part.look = organ.look;
-        part.base = 0.5 * (organ.place.x + organ.place.y);
     }
     // All parts of a plant have one tone.
     part.posed.blade.clump = plantKey(blade) % driedClump;
@@ -76,7 +73,6 @@ DrawnBlade drawnBlade(VisibleBlade visible, PosedLook part)
     DrawnBlade drawn;
     drawn.blade = posed.blade;
     drawn.species = species;
-    drawn.base = part.base;
 
     const float height = posed.blade.height;
     Ribbon ribbon;

@@ -52,21 +52,24 @@ vec3 ambientTowards(vec3 n)
     return vec3(ambientLight(HOST.ambient[0], n), ambientLight(HOST.ambient[1], n), ambientLight(HOST.ambient[2], n));
 }
 
-Incoming incomingAt(vec3 position, vec3 up, vec3 n)
+Incoming incomingAt(vec3 position, vec3 up, vec3 n, vec2 open)
 {
     if (!hasHostLight)
-        return incomingFromSky(n);
+        return incomingFromSky(n, open);
     const vec3 sun = FRAME.sunColor * sunShare(position, up);
-    if (HOST.hasAmbient == 0u)
-        return Incoming(hemisphere(n), 1.25 * FRAME.skyColor, FRAME.skyColor, sun);
+    if (HOST.hasAmbient == 0u) {
+        Incoming incoming = incomingFromSky(n, open);
+        incoming.sun = sun;
+        return incoming;
+    }
     // The zenith is darker than the mean sky: see hemisphere().
-    return Incoming(ambientTowards(n), HOST.above, HOST.above / 1.25, sun);
+    return Incoming(open.x * ambientTowards(n), open.x * ambientTowards(-n), HOST.above, HOST.above / 1.25, sun);
 }
 
 /// Light of all lamps on a point, scattered as the sun's is. Nothing but leaves around the blade is in its way.
 vec3 lampLight(BladePoint point, vec3 n, vec3 toEye, vec3 albedo, float leafArea)
 {
-    const float openSky = point.material.x;
+    const float openSky = point.look.x;
     vec3 sum = vec3(0.0);
     for (uint i = 0u; i < HOST.lampCount; ++i) {
         const Lamp lamp = HOST.lamps[i];
@@ -76,12 +79,14 @@ vec3 lampLight(BladePoint point, vec3 n, vec3 toEye, vec3 albedo, float leafArea
             continue;
         const vec3 source = toLamp * inversesqrt(max(dot(toLamp, toLamp), 1e-12));
         const float upright = dot(point.up, source);
-        const float seen = openSky * sunBelow(leafArea, upright);
+        const float seen = openSky * sunBelow(leafProjectionOf(FRAME.cover), leafArea, upright);
         const Scattering scattering = scatteringOf(source, n, toEye, point.tangent);
-        const vec3 diffuse = color * (scattering.diffuse * seen) +
-                             openSky * lightAmongLeaves(leafArea, upright, 1.0, color, vec3(0.0));
-        sum += albedo * diffuse + color * albedo * throughTint * (point.material.y * seen * scattering.through);
-        sum += color * (point.material.z * seen * point.place.y * max(scattering.facing + 0.2, 0.0) * scattering.shine * 0.25);
+        const vec3 through = throughTint * point.look.y;
+        sum += albedo * color * (seen * (scattering.diffuse + through * scattering.through));
+        sum += albedo * (openSky * (1.0 + throughShare * through) *
+                         lightAmongLeaves(leafArea, 1.0 - skyBelow(point.leafBelow), upright, color, vec3(0.0),
+                                          albedo * (1.0 + throughShare * through)));
+        sum += color * (point.look.z * seen * point.place.y * max(scattering.facing + 0.2, 0.0) * scattering.shine * 0.25);
     }
     return sum;
 }

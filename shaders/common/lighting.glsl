@@ -94,15 +94,30 @@ vec3 hemisphere(vec3 n)
     return mix(FRAME.groundColor, 1.25 * FRAME.skyColor, 0.5 + 0.5 * dot(n, FRAME.skyUp));
 }
 
-/// Light that surrounding leaves reflect and transmit, below `leafArea` of leaves. Sources are `sun`, with `cosine` to
-/// the ground's normal and visible share `sunShare`, and `sky`, the diffuse light from above. A leaf passes on a fifth
-/// of the green and less of other colours, half of that downwards; leaves below absorb their share. Zero without grass.
-vec3 lightAmongLeaves(float leafArea, float cosine, float sunShare, vec3 sun, vec3 sky)
+/// Share of the light from a leaf that meets another one.
+const float passedAgain = 0.7;
+
+/// Light of sun and sky that leaves around a place pass on to it, both sides of a leaf together. The place is below
+/// `leafArea` of leaves; `below`: 1 if there are leaves below it as well, 0 on the ground. `sun` is at `cosine` to the
+/// ground's normal, `sky` is the diffuse light from above; `leaf` is the colour that a leaf reflects and lets through.
+/// A leaf at depth Λ gets sunBelow(Λ) of the sun times its projection (leafProjectionAlong), and skyBelow(Λ) of the sky.
+/// Leaves above fill 1 − skyBelow(leafArea) of the upper hemisphere, leaves below all of the lower one; both are seen with
+/// skyExtinction. Light that leaves pass on several times is a geometric
+/// series. docs/algorithms/shading.md; zero without grass.
+vec3 lightAmongLeaves(float leafArea, float below, float cosine, vec3 sun, vec3 sky, vec3 leaf)
 {
-    const vec3 passedOn = vec3(0.17, 0.20, 0.06);
-    const vec3 caught = sun * (max(cosine, 0.0) * sunShare * (1.0 - sunBelow(leafArea, cosine))) +
-                        sky * (1.0 - skyBelow(leafArea));
-    return passedOn * caught * exp(-0.5 * leafExtinction * leafArea);
+    const float risen = max(cosine, lowestSun);
+    const float crossed = leafProjectionAlong(leafProjectionOf(FRAME.cover), risen) / risen;
+    const float left = exp(-crossed * leafArea);
+    const float open = skyBelow(leafArea);
+    // Means over the leaves above.
+    const float leftAbove = leafArea > 1e-3 ? (1.0 - left) / (crossed * leafArea) : 1.0;
+    const float openAbove = leafArea > 1e-3 ? (1.0 - open) / (skyExtinction * leafArea) : 1.0;
+    const float leaves = 1.0 - open;
+    const float sunOfLeaves = leaves * leftAbove + below * left / (1.0 + crossed / skyExtinction);
+    const float skyOfLeaves = leaves * openAbove + below * open * 0.5;
+    const vec3 once = 0.25 * leaf * (sun * (crossed * risen * sunOfLeaves) + sky * skyOfLeaves);
+    return once / (1.0 - passedAgain * leaf);
 }
 
 /// Share of the light that passes `distance` [m] of air, which thins with height. `climb`: cosine between the ray from

@@ -115,8 +115,9 @@ vec4 groundPicture(GroundPoint point)
     const float facing = max(dot(n, FRAME.sunDirection), 0.0);
     const float seen = facing > 0.0 ? sunSeen(FRAME.shadow, point.position, n) : 0.0;
     const vec3 light = hemisphere(n) * skyBelow(leafArea) +
-                       lightAmongLeaves(leafArea, facing, seen, FRAME.sunColor, 1.25 * FRAME.skyColor) +
-                       FRAME.sunColor * (facing * seen * sunBelow(leafArea, facing));
+                       lightAmongLeaves(leafArea, 0.0, facing, seen * FRAME.sunColor, 1.25 * FRAME.skyColor,
+                                        1.5 * FRAME.cover.sward) +
+                       FRAME.sunColor * (facing * seen * sunBelow(leafProjectionOf(FRAME.cover), leafArea, facing));
     vec3 color = relief.brightness * albedo * light;
     const float sward = swardShare(FRAME.cover, leafArea);
     if (sward > 0.0) {

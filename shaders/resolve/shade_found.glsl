@@ -19,7 +19,11 @@ vec4 shadeFound(SeenBlade seen, Found found)
     point.fold = isFolded(ribbon) ? ribbon.fold : 0.0;
     point.rootColor = seen.surface.root;
     point.tipColor = seen.surface.tip;
-    point.material = seen.surface.material;
+    point.look = unpackedLook(seen.surface.material.x);
+    point.leafAbove = leafAreaAbove(seen.surface.material, clamp(found.place.y, 0.0, 1.0));
+    point.leafBelow = max(seen.surface.material.y - point.leafAbove, 0.0);
+    point.seed = ribbon.seed;
+    point.flecks = (length(ribbon.v1 - ribbon.v0) + length(ribbon.v2 - ribbon.v1)) / fleckLength();
     return vec4(bladePicture(point), 1.0 - softness(length(FRAME.view.eye - point.position), 1.0));
 }
 

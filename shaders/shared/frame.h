@@ -133,8 +133,8 @@ struct Frame {
         fogFalloff; ///< [1/m] the air thins upwards as exp(−falloff · height); 0: constant density
     float lowSun;   ///< [0, 1]: 1 for a sun on the horizon or below
 
-    uint tick;        ///< time of the frame, see ticksPerSecond
-    uint reserved[9]; ///< padding: consecutive frames meet any offset alignment of constants
+    uint tick;     ///< time of the frame, see ticksPerSecond
+    uint reserved; ///< padding: consecutive frames meet any offset alignment of constants
 };
 SHARED_LAYOUT(Frame, 1792)
 

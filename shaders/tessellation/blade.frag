@@ -14,7 +14,7 @@ layout(location = 0) centroid in vec3 inPosition;
 layout(location = 3) centroid in vec4 inPlace;
 layout(location = 4) flat in uvec4 inSurface; // see BladeVaryings
 layout(location = 5) flat in uvec4 inFrame;
-layout(location = 6) flat in uint inBend;
+layout(location = 6) flat in uvec2 inBend;
 layout(location = 8) flat in uint inSeed;
 
 layout(location = 0) out vec4 outColor;
@@ -36,10 +36,14 @@ BladePoint pointOf(BladeVaryings varyings)
     point.axis = decodeWideOctahedral(varyings.frame.y);
     point.up = decodeWideOctahedral(varyings.frame.z);
     point.fold = bent.x;
-    point.tangent = normalize(mix(point.up, bent.y * decodeWideOctahedral(varyings.bend), clamp(inPlace.y, 0.0, 1.0)));
+    point.tangent = normalize(mix(point.up, bent.y * decodeWideOctahedral(varyings.bend.x), clamp(inPlace.y, 0.0, 1.0)));
     point.rootColor = vec4(unpackHalf2x16(varyings.surface.x), middle.x, bytes.w);
     point.tipColor = vec4(middle.y, unpackHalf2x16(varyings.surface.z), shade.y);
-    point.material = vec4(bytes.xyz, shade.x);
+    point.look = bytes.xyz;
+    point.leafAbove = leafAreaAbove(vec4(0.0, shade.x, float(varyings.bend.y & 0xffffffu), 0.0), clamp(inPlace.y, 0.0, 1.0));
+    point.leafBelow = max(shade.x - point.leafAbove, 0.0);
+    point.seed = inSeed;
+    point.flecks = float(varyings.bend.y >> 24u) / 8.0;
     return point;
 }
 

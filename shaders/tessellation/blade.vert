@@ -20,7 +20,7 @@ layout(location = 3) out vec4 outAxis; // and the scale of the outline
 layout(location = 4) out uvec3 outWhich; // shape, segments (0: nothing is drawn), Ribbon::seed
 layout(location = 5) out uvec4 outSurface; // see BladeVaryings
 layout(location = 6) out uvec4 outFrame;
-layout(location = 7) out uint outBend;
+layout(location = 7) out uvec2 outBend;
 layout(location = 8) out vec4 outV1Before; // from here on only with motion
 layout(location = 9) out vec4 outV2Before;
 layout(location = 10) out vec4 outV0Before;
@@ -38,10 +38,12 @@ BladeVaryings varyingsOf(Ribbon ribbon, BladeSurface surface)
     BladeVaryings varyings;
     varyings.surface =
         uvec4(packHalf2x16(surface.root.rg), packHalf2x16(vec2(surface.root.b, surface.tip.r)),
-              packHalf2x16(surface.tip.gb), packUnorm4x8(vec4(surface.material.xyz, surface.root.w)));
-    varyings.frame = uvec4(packHalf2x16(vec2(surface.material.w, surface.tip.w)), encodeWideOctahedral(ribbon.axis),
+              packHalf2x16(surface.tip.gb), packUnorm4x8(vec4(unpackedLook(surface.material.x), surface.root.w)));
+    varyings.frame = uvec4(packHalf2x16(vec2(surface.material.y, surface.tip.w)), encodeWideOctahedral(ribbon.axis),
                          encodeWideOctahedral(lower), packHalf2x16(vec2(ribbon.fold, bend)));
-    varyings.bend = encodeWideOctahedral(upper / bend);
+    const float flecks = size * (1.0 + bend) / fleckLength();
+    varyings.bend = uvec2(encodeWideOctahedral(upper / bend),
+                          uint(surface.material.z) | (uint(min(8.0 * flecks, 255.0)) << 24u));
     return varyings;
 }
 

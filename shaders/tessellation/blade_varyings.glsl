@@ -1,4 +1,4 @@
-// Varyings that are constant over a blade, from the vertex to the fragment stage. Packed into nine words, because each
+// Varyings that are constant over a blade, from the vertex to the fragment stage. Packed into ten words, because each
 // varying of a tessellator's vertices is expensive.
 #ifndef SWARD_TESSELLATION_BLADE_VARYINGS_GLSL
 #define SWARD_TESSELLATION_BLADE_VARYINGS_GLSL
@@ -6,7 +6,7 @@
 struct BladeVaryings {
     uvec4 surface; ///< colours in halves; open sky, translucency, gloss and the sun at the root in bytes
     uvec4 frame;   ///< leaf area and the sun at the tip; axis; up-vector; fold and bend
-    uint bend;     ///< direction from v1 to v2
+    uvec2 bend;    ///< direction from v1 to v2; packedHeights() as 24 bits, and eighths of flecks along it
 };
 
 #endif

@@ -66,6 +66,7 @@ private:
 /// A blade that stands for some of its patch.
 struct CoverBlade {
     glm::vec3 root;
+    float height;                ///< [m] of it, or of its plant
     float area;                  ///< [m²] of them together
     const shared::Species* look; ///< never null
 };
@@ -83,7 +84,7 @@ void forSomeBlades(std::span<const field::Species> species, const shared::Patch&
         const field::BladePart part = field::partOf(species[blade.species], blade);
         const float area = part.length * blade.width *
                            shared::outlineArea(part.look->shape, part.look->tipThreshold);
-        visit(CoverBlade{blade.root,
+        visit(CoverBlade{blade.root, blade.height,
                          area * static_cast<float>(cell.bladeCount) / static_cast<float>(read),
                          part.look});
     }

@@ -2,8 +2,10 @@
 
 #include "field/measure/distributions.h"
 #include "render/field/cover_corners.h"
+#include "render/field/leaf_heights.h"
 
 #include <algorithm>
+#include <utility>
 
 namespace sward::render {
 namespace {
@@ -22,8 +24,9 @@ double bladesToRead(const shared::Cover& shape)
 EditedCover::EditedCover(const field::FieldView& field, const LeafAreaGrid& grid)
     : shape_(grid.shape)
     , species_(field.species.begin(), field.species.end())
-    , scratch_(grid.values.size(), 0.0f)
-    , leaves_(grid.values.size(), 0.0)
+    , meanHeight_(grid.meanHeight)
+    , scratch_(grid.values.size(), glm::vec2(0.0f))
+    , leaves_(grid.values.size(), glm::dvec2(0.0))
     , ground_(groundAreasOf(field, grid.shape))
     , values_(grid.values)
 {
@@ -49,26 +52,28 @@ EditedCover::Cell EditedCover::measured(std::span<const shared::Patch> patches,
             cell.roots += double(blade.area) * glm::dvec3(blade.look->rootColor);
             cell.tips += double(blade.area) * glm::dvec3(blade.look->tipColor);
             cell.leaves += double(blade.area);
+            cell.heights += double(blade.area) * double(blade.height);
             dealToCorners(shape_, blade.root, blade.area, [&](std::size_t corner, float part) {
                 if (part <= 0.0f)
                     return;
-                if (scratch_[corner] == 0.0f)
-                    cell.corners.emplace_back(static_cast<std::uint32_t>(corner), 0.0f);
-                scratch_[corner] += part;
+                if (scratch_[corner].x == 0.0f)
+                    cell.corners.push_back({static_cast<std::uint32_t>(corner), {}});
+                scratch_[corner] += part * glm::vec2(1.0f, blade.height);
             });
         });
-    for (auto& [corner, amount] : cell.corners)
-        amount = std::exchange(scratch_[corner], 0.0f);
+    for (Corner& corner : cell.corners)
+        corner.amounts = std::exchange(scratch_[corner.index], glm::vec2(0.0f));
     return cell;
 }
 
 void EditedCover::add(const Cell& cell, double sign)
 {
-    for (const auto& [corner, amount] : cell.corners)
-        leaves_[corner] += sign * double(amount);
+    for (const Corner& corner : cell.corners)
+        leaves_[corner.index] += sign * glm::dvec2(corner.amounts);
     sum_.roots += sign * cell.roots;
     sum_.tips += sign * cell.tips;
     sum_.leaves += sign * cell.leaves;
+    sum_.heights += sign * cell.heights;
 }
 
 PlaceRange EditedCover::apply(const field::Delta& delta, shared::Cover& cover)
@@ -77,9 +82,9 @@ PlaceRange EditedCover::apply(const field::Delta& delta, shared::Cover& cover)
     std::uint32_t end = 0;
     const auto touch = [&](const Cell& cell, double sign) {
         add(cell, sign);
-        for (const auto& [corner, amount] : cell.corners) {
-            low = std::min(low, corner);
-            end = std::max(end, corner + 1);
+        for (const Corner& corner : cell.corners) {
+            low = std::min(low, corner.index);
+            end = std::max(end, corner.index + 1);
         }
     };
     for (const field::CellChange& change : delta.cells) {
@@ -92,10 +97,18 @@ PlaceRange EditedCover::apply(const field::Delta& delta, shared::Cover& cover)
     }
     // What remains of removed blades is rounding.
     constexpr double nothing = 1e-9;
-    for (std::uint32_t corner = low; corner < end; ++corner)
-        values_[corner] = leaves_[corner] < nothing
-                              ? 0.0f
-                              : static_cast<float>(leaves_[corner]) / ground_[corner];
+    if (meanHeight_ <= 0.0f && sum_.leaves > nothing) {
+        // The first blades of a bare field.
+        meanHeight_ = static_cast<float>(sum_.heights / sum_.leaves);
+        describeHeights(leafHeightsOf(meanHeight_), cover);
+    }
+    for (std::uint32_t corner = low; corner < end; ++corner) {
+        const glm::dvec2 amounts = leaves_[corner];
+        values_[corner] = amounts.x < nothing ? 0
+                                              : grassOf(static_cast<float>(amounts.x),
+                                                        static_cast<float>(amounts.y),
+                                                        ground_[corner], meanHeight_);
+    }
     if (sum_.leaves > nothing)
         colorUndergrowth(glm::vec3(sum_.roots / sum_.leaves), glm::vec3(sum_.tips / sum_.leaves),
                          cover);

@@ -6,12 +6,12 @@
 #include "render/field/free_ranges.h"
 #include "render/field/grass_cover.h"
 
+#include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
 
 #include <cstdint>
 #include <map>
 #include <span>
-#include <utility>
 #include <vector>
 
 namespace sward::render {
@@ -27,14 +27,19 @@ public:
     /// Replaces cells. Returns a range that holds all changed corners, and colours `cover`.
     PlaceRange apply(const field::Delta& delta, shared::Cover& cover);
 
-    std::span<const float> values() const { return values_; } ///< as LeafAreaGrid::values
+    std::span<const std::uint32_t> values() const { return values_; } ///< as LeafAreaGrid::values
 
 private:
+    struct Corner {
+        std::uint32_t index = 0;
+        glm::vec2 amounts{0.0f}; ///< [m²] of blades, and that times their height [m]
+    };
     struct Cell {
-        std::vector<std::pair<std::uint32_t, float>> corners; ///< and m² of blades there
-        glm::dvec3 roots{0.0};                                ///< colours times m²
+        std::vector<Corner> corners;
+        glm::dvec3 roots{0.0}; ///< colours times m²
         glm::dvec3 tips{0.0};
-        double leaves = 0.0; ///< [m²]
+        double leaves = 0.0;  ///< [m²]
+        double heights = 0.0; ///< [m³] that times the height
     };
 
     Cell measured(std::span<const shared::Patch> patches,
@@ -44,10 +49,11 @@ private:
     shared::Cover shape_;
     std::vector<field::Species> species_;
     std::map<field::CellIndex, Cell> cells_;
-    std::vector<float> scratch_; ///< one per corner, all 0
-    std::vector<double> leaves_; ///< [m²] of all cells
-    std::vector<float> ground_;  ///< [m²]
-    std::vector<float> values_;
+    float meanHeight_;               ///< [m] 0: the field was bare
+    std::vector<glm::vec2> scratch_; ///< one per corner, all 0
+    std::vector<glm::dvec2> leaves_; ///< Corner::amounts of all cells
+    std::vector<float> ground_;      ///< [m²]
+    std::vector<std::uint32_t> values_;
     Cell sum_; ///< of colours
 };
 

@@ -4,6 +4,7 @@
 #include "field/measure/distributions.h"
 #include "render/field/cover_corners.h"
 #include "render/field/edited_cover.h"
+#include "render/field/leaf_heights.h"
 
 #include <glm/geometric.hpp>
 
@@ -71,13 +72,16 @@ shared::Cover shapeOf(const field::FieldView& field)
     return shape;
 }
 
-void dealBlades(const field::FieldView& field, CoverCorners& leaves)
+/// Deals the area of blades, and that times their height.
+void dealBlades(const field::FieldView& field, CoverCorners& leaves, CoverCorners& heights)
 {
     const double all = static_cast<double>(std::max<std::size_t>(field.blades.size(), 1));
     const double share = std::min(1.0, static_cast<double>(maxCoverBlades) / all);
     for (const shared::Patch& cell : field.patches)
-        forSomeBlades(field.species, cell, field.blades, share,
-                      [&](const CoverBlade& blade) { leaves.deal(blade.root, blade.area); });
+        forSomeBlades(field.species, cell, field.blades, share, [&](const CoverBlade& blade) {
+            leaves.deal(blade.root, blade.area);
+            heights.deal(blade.root, blade.area * blade.height);
+        });
 }
 
 /// Distributes a triangle in pieces no longer than `longest`, by halving its longest side.
@@ -126,7 +130,7 @@ void dealGround(const field::DisplayGround& drawn, float longest, CoverCorners& 
 shared::Cover LeafAreaGrid::view() const
 {
     shared::Cover cover = shape;
-    cover.leafArea.at = values.data();
+    cover.grass.at = values.data();
     return cover;
 }
 
@@ -151,13 +155,27 @@ LeafAreaGrid leafAreaOf(const field::FieldView& field)
     if (field.blades.empty())
         return grid;
     grid.shape = shapeOf(field);
+    const LeafHeights leafHeights = leafHeightsOf(field);
+    describeHeights(leafHeights, grid.shape);
+    grid.meanHeight = leafHeights.mean;
     CoverCorners leaves(grid.shape);
-    dealBlades(field, leaves);
+    CoverCorners heights(grid.shape);
+    dealBlades(field, leaves, heights);
     const std::vector<float> ground = groundAreasOf(field, grid.shape);
-    grid.values = std::move(leaves.amounts());
-    for (std::size_t i = 0; i < grid.values.size(); ++i)
-        grid.values[i] /= ground[i];
+    grid.values.reserve(ground.size());
+    for (std::size_t i = 0; i < ground.size(); ++i)
+        grid.values.push_back(
+            grassOf(leaves.amounts()[i], heights.amounts()[i], ground[i], grid.meanHeight));
     return grid;
+}
+
+std::uint32_t grassOf(float leaves, float heights, float ground, float meanHeight)
+{
+    if (!(leaves > 0.0f))
+        return 0;
+    const float relative = meanHeight > 0.0f ? heights / leaves / meanHeight : 1.0f;
+    // Halves hold 65 504.
+    return shared::packGrass(std::min(leaves / ground, 1000.0f), std::min(relative, 60.0f));
 }
 
 void describeUndergrowth(const field::FieldView& field, shared::Cover& cover)
@@ -210,9 +228,9 @@ GrassCover::GrassCover(const gpu::DeviceContext& context, gpu::BufferUpload& upl
     describeUndergrowth(field, shape_);
     values_ = gpu::Buffer(
         context, {.name = "grass cover",
-                  .bytes = grid.values.size() * sizeof(float),
+                  .bytes = grid.values.size() * sizeof(std::uint32_t),
                   .usage = VK_BUFFER_USAGE_STORAGE_BUFFER_BIT | VK_BUFFER_USAGE_TRANSFER_DST_BIT});
-    upload.toBuffer(values_, std::span<const float>(grid.values));
+    upload.toBuffer(values_, std::span<const std::uint32_t>(grid.values));
 }
 
 GrassCover::GrassCover(GrassCover&&) noexcept = default;
@@ -223,7 +241,7 @@ PlaceRange GrassCover::apply(const field::Delta& delta)
     return edited_->apply(delta, shape_);
 }
 
-std::span<const float> GrassCover::values() const
+std::span<const std::uint32_t> GrassCover::values() const
 {
     return edited_->values();
 }
@@ -232,7 +250,7 @@ void GrassCover::describe(shared::Frame& frame, float thatch) const
 {
     frame.cover = shape_;
     frame.cover.thatch = thatch;
-    frame.cover.leafArea.address = values_.address();
+    frame.cover.grass.address = values_.address();
     frame.cover.farthest = (frame.view.cullMask & shared::cullDistance) != 0
                                ? frame.view.drawDistance
                                : std::numeric_limits<float>::max();

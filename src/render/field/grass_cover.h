@@ -9,6 +9,7 @@
 #include "shaders/shared/cover.h"
 #include "shaders/shared/frame.h"
 
+#include <cstdint>
 #include <memory>
 #include <span>
 #include <vector>
@@ -21,10 +22,11 @@ constexpr std::uint32_t maxCoverCorners = 128;
 /// Maximum blades read for the grid; of larger fields the first ones of each patch.
 constexpr std::size_t maxCoverBlades = std::size_t(1) << 20;
 
-/// Leaf area index of a field at the corners of a grid; see shared::Cover. The table is unset.
+/// The grass of a field at the corners of a grid; see shared::Cover. The table is unset.
 struct LeafAreaGrid {
     shared::Cover shape = {};
-    std::vector<float> values;
+    float meanHeight = 0.0f; ///< [m] of the blades, which the values' heights are relative to
+    std::vector<std::uint32_t> values; ///< shared::packGrass()
 
     /// A view for shared functions on the CPU; valid as long as the grid.
     shared::Cover view() const;
@@ -35,6 +37,10 @@ struct LeafAreaGrid {
 /// blade within a cell the value is 0. A cell's edge is at least half the mean blade height, the
 /// range at which grass darkens.
 LeafAreaGrid leafAreaOf(const field::FieldView& field);
+
+/// shared::packGrass() of a corner: [m²] of leaves there, that times the height [m] of their
+/// blades, and [m²] of ground.
+std::uint32_t grassOf(float leaves, float heights, float ground, float meanHeight);
 
 /// Its grid, also for a field without blades.
 shared::Cover coverShapeOf(const field::FieldView& field);
@@ -62,7 +68,7 @@ public:
 
     /// Follows an edit. Returns the corners that change; the caller uploads them.
     PlaceRange apply(const field::Delta& delta);
-    std::span<const float> values() const; ///< of all corners, if editable
+    std::span<const std::uint32_t> values() const; ///< of all corners, if editable
     const gpu::Buffer& buffer() const { return values_; }
 
     /// Call after the frame's draw distance is set. `thatch`: FrameSettings::thatch.

@@ -1,6 +1,7 @@
 #include "render/field/edited_cover.h"
 #include "support/fields/edited_meadow.h"
 
+#include <glm/packing.hpp>
 #include <gtest/gtest.h>
 
 namespace sward::render {
@@ -25,12 +26,17 @@ TEST(EditedCover, IsThatOfTheFieldJoinedAnew)
         ASSERT_EQ(expected.values.size(), edited.values().size());
         double sum = 0.0;
         for (std::uint32_t i = 0; i < expected.values.size(); ++i) {
-            ASSERT_NEAR(edited.values()[i], expected.values[i], 1e-4f + 1e-4f * expected.values[i]);
+            // Halves. Heights are relative to the mean of the field as it was.
+            const float area = glm::unpackHalf2x16(expected.values[i]).x;
+            const float height = glm::unpackHalf2x16(expected.values[i]).y * expected.meanHeight;
+            const glm::vec2 now = glm::unpackHalf2x16(edited.values()[i]);
+            ASSERT_NEAR(now.x, area, 1e-4f + 1e-3f * area);
+            ASSERT_NEAR(now.y * grid.meanHeight, height, 1e-4f + 2e-3f * height);
             if (i < changed.first || i >= changed.end()) {
                 ASSERT_EQ(edited.values()[i], grid.values[i]) << "no change is told of it";
             }
             grid.values[i] = edited.values()[i];
-            sum += double(expected.values[i]);
+            sum += double(area);
         }
         EXPECT_GT(sum, 0.0);
         shared::Cover wanted = expected.shape;

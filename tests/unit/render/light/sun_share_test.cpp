@@ -121,10 +121,9 @@ double meanOf(const std::vector<SeenPlace>& places, const Formula& formula)
 }
 
 /// Leaf area above a place by its place on its own blade: what the shaders have.
-double leafAreaByPlace(const SeenPlace& place)
+double leafAreaOfShader(const SeenPlace& place)
 {
-    return place.leafArea *
-           static_cast<double>(shared::leafShareAbove(static_cast<float>(place.along)));
+    return place.leafArea * place.shaderShare;
 }
 
 /// The same by its height over the ground.
@@ -137,7 +136,7 @@ double leafAreaByHeight(const SeenPlace& place)
 Formula sunOfShader(double cosine)
 {
     return [cosine](const SeenPlace& place) {
-        return static_cast<double>(shared::sunBelow(static_cast<float>(leafAreaByPlace(place)),
+        return static_cast<double>(shared::sunBelow(static_cast<float>(leafAreaOfShader(place)),
                                                     static_cast<float>(cosine)));
     };
 }
@@ -314,7 +313,7 @@ TEST_P(SunShare, OfTheSkyFallsWithLeafAreaByHeight)
         };
         const Formula shader = [](const SeenPlace& place) {
             return static_cast<double>(
-                shared::skyBelow(static_cast<float>(leafAreaByPlace(place))));
+                shared::skyBelow(static_cast<float>(leafAreaOfShader(place))));
         };
         const double c = fitted(seen, 30.0, [&](double q) { return sky(1.0, byHeight(q)); });
         // Of the light of both sides, weighted by reflection and transmission of a blade.

@@ -55,16 +55,15 @@ field::Field bakedMeadow(double density, double side)
 TracedMeadow::TracedMeadow(double density, double side)
 {
     const field::Field field = bakedMeadow(density, side);
-    const render::LeafAreaGrid grid = render::leafAreaOf(field::viewOf(field));
-    const shared::Cover cover = grid.view();
+    grid_ = render::leafAreaOf(field::viewOf(field));
+    const shared::Cover cover = grid_.view();
     std::vector<glm::uvec3> triangles;
     std::vector<std::pair<double, double>> areas;
     for (const shared::Patch& cell : field.patches)
         for (std::uint32_t i = 0; i < cell.bladeCount; ++i) {
             const shared::Blade blade =
                 shared::unpackBlade(field.blades[cell.firstBlade + i], cell);
-            addBlade(field, blade, shared::leafAreaAt(cover, blade.root), corners_, triangles,
-                     areas);
+            addBlade(field, blade, shared::grassAt(cover, blade.root), corners_, triangles, areas);
         }
 
     // Leaf area by height over the ground.
@@ -91,7 +90,7 @@ TracedMeadow::TracedMeadow(double density, double side)
     rays_.emplace(corners, triangles);
 }
 
-void TracedMeadow::addBlade(const field::Field& field, const shared::Blade& blade, float leafArea,
+void TracedMeadow::addBlade(const field::Field& field, const shared::Blade& blade, glm::vec2 grass,
                             std::vector<glm::vec3>& corners, std::vector<glm::uvec3>& triangles,
                             std::vector<std::pair<double, double>>& areas)
 {
@@ -122,7 +121,7 @@ void TracedMeadow::addBlade(const field::Field& field, const shared::Blade& blad
             0.25f * (corners[a].y + corners[a + 1].y + corners[a + 2].y + corners[a + 3].y);
         areas.emplace_back(height, 0.5f * glm::length(glm::cross(diagonal, other)));
     }
-    blades_.push_back({leafArea, look.translucency, posed.v0, posed.v1, posed.v2});
+    blades_.push_back({grass, look.translucency, posed.v0, posed.v1, posed.v2});
 }
 
 std::vector<SeenPlace> TracedMeadow::seenFrom(const MeadowView& view, double pixelSize,
@@ -138,6 +137,7 @@ std::vector<SeenPlace> TracedMeadow::seenFrom(const MeadowView& view, double pix
     const double reach = std::tan(glm::radians(view.fov) / 2.0);
     const double pixel = glm::radians(pixelSize);
 
+    const shared::Cover cover = grid_.view();
     std::vector<SeenPlace> places;
     for (std::size_t i = 0; i < pixels; ++i) {
         const double x = (2.0 * uniform(1, i, 0) - 1.0) * reach;
@@ -169,8 +169,11 @@ std::vector<SeenPlace> TracedMeadow::seenFrom(const MeadowView& view, double pix
             if (glm::dot(place.normal, ray) > 0.0)
                 place.normal = -place.normal;
             place.height = place.position.y;
-            place.leafArea = double(blade.leafArea);
+            place.leafArea = double(blade.grass.x);
             place.shareAbove = shareAbove(place.height);
+            const float steps = shared::heightStepsPerMetre(cover, blade.grass);
+            place.shaderShare =
+                double(shared::leafShareAbove(cover, steps * static_cast<float>(place.height)));
             place.translucency = double(blade.translucency);
             places.push_back(place);
         }

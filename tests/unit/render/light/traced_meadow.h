@@ -1,6 +1,7 @@
 #pragma once
 
 #include "field/field.h"
+#include "render/field/grass_cover.h"
 #include "terrain/query/surface_query.h"
 
 #include <glm/vec3.hpp>
@@ -32,6 +33,7 @@ struct SeenPlace {
     double height;       ///< [m] above the ground
     double leafArea;     ///< leaf area index at the blade's root, by leafAreaAt()
     double shareAbove;   ///< share of the meadow's leaf area above `height`
+    double shaderShare;  ///< the same by leafShareAbove()
     double translucency; ///< of the species
 };
 
@@ -67,12 +69,12 @@ private:
     };
 
     struct Traced {
-        float leafArea;
+        glm::vec2 grass; ///< grassAt() its root
         float translucency;
         glm::vec3 v0, v1, v2;
     };
 
-    void addBlade(const field::Field& field, const shared::Blade& blade, float leafArea,
+    void addBlade(const field::Field& field, const shared::Blade& blade, glm::vec2 grass,
                   std::vector<glm::vec3>& corners, std::vector<glm::uvec3>& triangles,
                   std::vector<std::pair<double, double>>& areas);
 
@@ -82,6 +84,7 @@ private:
     std::vector<double> heights_; ///< [m] ascending …
     std::vector<double> below_;   ///< … and the share of leaf area below each
     double leafArea_ = 0.0;
+    render::LeafAreaGrid grid_;
     std::optional<terrain::SurfaceQuery> rays_;
 };
 
