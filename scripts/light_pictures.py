@@ -21,11 +21,16 @@ def read(path, layer=""):
             return exr_light.color(exr_light.read(path), layer)
         except ValueError as error:
             raise ValueError(str(error) if str(path) in str(error) else f"{path}: {error}") from error
+    return np.array(png_light.LINEAR)[codes(path)]
+
+
+def codes(path):
+    """The 8-bit red, green and blue of a PNG file."""
     try:
-        rows = np.stack([np.frombuffer(bytes(row), np.uint8) for row in png_light.rows(path)])
-    except (struct.error, zlib.error, IndexError) as error:
-        raise ValueError(f"{path}: not a PNG file, or a damaged one") from error
-    return np.array(png_light.LINEAR)[rows].reshape(rows.shape[0], -1, 3)
+        rows = np.stack([np.frombuffer(bytes(row), np.uint8) for row in png_light.rows(Path(path))])
+    except (struct.error, zlib.error, IndexError, ValueError) as error:
+        raise ValueError(f"{path}: not a PNG file of 8-bit colour, or a damaged one") from error
+    return rows.reshape(rows.shape[0], -1, 3)
 
 
 def encoded(linear):

@@ -12,7 +12,8 @@ MATTE = ["--blade-scale", "1", "--set", "species.*.gloss=0", "--seed", "1"]
 SCENES = {
     "grass": {"meadow": "grass", "ground": PLANE, "bake": MATTE},
     "grass-thin": {"meadow": "grass", "ground": PLANE, "bake": [*MATTE, "--density", "800"]},
-    "lawn": {"meadow": "lawn", "ground": PLANE, "bake": [*MATTE, "--density", "4000"]},
+    # Short blades: a smaller square has room for their shadows.
+    "lawn": {"meadow": "lawn", "ground": {**PLANE, "size": [9, 9]}, "bake": [*MATTE, "--density", "4000"]},
     "steppe-thin": {"meadow": "steppe", "ground": PLANE, "bake": [*MATTE, "--density", "800"]},
     "slope": {"meadow": "grass", "slope": 25.0, "bake": MATTE},
     "planet": {"meadow": "grass", "ground": {"kind": "sphere", "radius": 3, "segments": 128, "rings": 64},

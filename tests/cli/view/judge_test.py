@@ -19,7 +19,7 @@ sys.path[:0] = [str(ROOT / "scripts"), str(ROOT / "tests/support")]
 import exr_light  # noqa: E402
 import flip  # noqa: E402
 from needs import needs  # noqa: E402
-from truth import field_arrays, figures, scenes  # noqa: E402
+from truth import field_arrays, figures, page, scenes  # noqa: E402
 
 SWARD, VIEWER = (Path(os.environ[name]) for name in ("SWARD_PROGRAM", "SWARD_VIEW_PROGRAM"))
 CAMERA = {"eye": [0, 1.2, 1.4], "target": [0, 0.2, 0], "fov_y_deg": 30}
@@ -185,6 +185,14 @@ class Command(JudgeTest):
         self.assertTrue(report["missed"])
         self.assertEqual(report["pictures"]["small.0.0"], found)
         self.judge(self.field, "--camera", self.camera, "--sun", "135,59", *same, code=4)
+
+        # A page of it, with the figures before.
+        needs("pillow")
+        page.write(self.folder / "page.md", self.folder / "out", report["pictures"], {"small.0.0": found}, "by a test")
+        text = (self.folder / "page.md").read_text(encoding="utf-8")
+        self.assertIn("![small.0.0: ours, the truth, four times the difference](truth/small.jpg)", text)
+        self.assertRegex(text, r"\| small\.0\.0 \| (\d\.\d\d) → \1 \|")
+        self.assertGreater((self.folder / "truth/small.jpg").stat().st_size, 500)
 
     def test_a_picture_of_others_is_compared(self):
         picture = self.folder / "picture.exr"
