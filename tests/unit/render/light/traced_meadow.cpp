@@ -30,21 +30,27 @@ shared::Environment calmEnvironment(const field::Defaults& defaults)
     return environment;
 }
 
-shared::PosedBlade restingBlade(const field::Field& field, const shared::Blade& blade)
+/// A blade at rest, or the ribbon on its plant that it stands for.
+shared::PosedBlade restingBlade(const field::Field& field, const std::vector<shared::Organ>& organs,
+                                const shared::Blade& blade)
 {
     constexpr float longEnough = 1000.0f; // [s] to come to rest
     const shared::BladeState upright = shared::stateOfTurn(glm::vec2(0.0f), 0.0f);
-    return shared::posedBlade(blade, shared::advanceBlade(blade, calmEnvironment(field.defaults),
-                                                          {}, upright, 0.0f, longEnough));
+    const shared::BladeState rest =
+        shared::advanceBlade(blade, calmEnvironment(field.defaults), {}, upright, 0.0f, longEnough);
+    const shared::PosedBlade posed = shared::posedBlade(blade, rest);
+    const shared::Species& look = field.species[blade.species].look;
+    const std::uint32_t number = shared::ribbonNumber(look, blade);
+    return number > 0 ? shared::ribbonOf(field::viewOf(organs), look, posed, number) : posed;
 }
 
-field::Field bakedMeadow(double density, double side)
+field::Field bakedMeadow(const std::string& meadow, double density, double side)
 {
     bake::BakeSettings settings;
     settings.density = density;
     settings.bladeScale = 1.0;
     settings.exposureRays = 0;
-    settings.meadow = bake::loadMeadow("grass");
+    settings.meadow = bake::loadMeadow(meadow);
     Diagnostics diagnostics;
     Progress progress;
     return bake::bakeField(meshes::square(side), settings, 2, diagnostics, progress).field;
@@ -52,18 +58,20 @@ field::Field bakedMeadow(double density, double side)
 
 } // namespace
 
-TracedMeadow::TracedMeadow(double density, double side)
+TracedMeadow::TracedMeadow(const std::string& meadow, double density, double side)
 {
-    const field::Field field = bakedMeadow(density, side);
+    const field::Field field = bakedMeadow(meadow, density, side);
     grid_ = render::leafAreaOf(field::viewOf(field));
     const shared::Cover cover = grid_.view();
+    const std::vector<shared::Organ> organs = field::organTable(field.species);
     std::vector<glm::uvec3> triangles;
     std::vector<std::pair<double, double>> areas;
     for (const shared::Patch& cell : field.patches)
         for (std::uint32_t i = 0; i < cell.bladeCount; ++i) {
             const shared::Blade blade =
                 shared::unpackBlade(field.blades[cell.firstBlade + i], cell);
-            addBlade(field, blade, shared::grassAt(cover, blade.root), corners_, triangles, areas);
+            addBlade(field, organs, blade, shared::grassAt(cover, blade.root), corners_, triangles,
+                     areas);
         }
 
     // Leaf area by height over the ground.
@@ -90,12 +98,13 @@ TracedMeadow::TracedMeadow(double density, double side)
     rays_.emplace(corners, triangles);
 }
 
-void TracedMeadow::addBlade(const field::Field& field, const shared::Blade& blade, glm::vec2 grass,
+void TracedMeadow::addBlade(const field::Field& field, const std::vector<shared::Organ>& organs,
+                            const shared::Blade& blade, glm::vec2 grass,
                             std::vector<glm::vec3>& corners, std::vector<glm::uvec3>& triangles,
                             std::vector<std::pair<double, double>>& areas)
 {
-    const shared::PosedBlade posed = restingBlade(field, blade);
-    const shared::Species& look = field.species[blade.species].look;
+    const shared::PosedBlade posed = restingBlade(field, organs, blade);
+    const shared::Species& look = *field::partOf(field.species[blade.species], blade).look;
     shared::Ribbon ribbon = {};
     ribbon.v0 = posed.v0;
     ribbon.v1 = posed.v1;
@@ -164,8 +173,10 @@ std::vector<SeenPlace> TracedMeadow::seenFrom(const MeadowView& view, double pix
             const double f =
                 std::clamp(glm::dot(place.position - low, step) / glm::dot(step, step), 0.0, 1.0);
             place.along = double(part.low) + f * double(part.high - part.low);
-            place.normal = glm::normalize(
-                glm::cross(step, glm::dvec3(corners_[a + 1]) - glm::dvec3(corners_[a])));
+            // Its width may be 0 at either end.
+            const glm::dvec3 across = glm::dvec3(corners_[a + 1] - corners_[a]) +
+                                      glm::dvec3(corners_[a + 3] - corners_[a + 2]);
+            place.normal = glm::normalize(glm::cross(step, across));
             if (glm::dot(place.normal, ray) > 0.0)
                 place.normal = -place.normal;
             place.height = place.position.y;

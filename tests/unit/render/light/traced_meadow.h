@@ -37,12 +37,12 @@ struct SeenPlace {
     double translucency; ///< of the species
 };
 
-/// The built-in meadow "grass" on a level square around the origin, its blades at rest and without
-/// wind as triangles, so that rays say what light reaches them. Ordinary blades only.
+/// A built-in meadow on a level square around the origin, its blades at rest and without wind as
+/// triangles, so that rays say what light reaches them.
 class TracedMeadow {
 public:
     /// `density` [1/m²], `side` [m] of the square.
-    TracedMeadow(double density, double side);
+    TracedMeadow(const std::string& meadow, double density, double side);
 
     /// The places that `pixels` random pixels of a view show, `samples` of each at most: those that
     /// show the ground are left out. The eye looks along −z.
@@ -74,8 +74,9 @@ private:
         glm::vec3 v0, v1, v2;
     };
 
-    void addBlade(const field::Field& field, const shared::Blade& blade, glm::vec2 grass,
-                  std::vector<glm::vec3>& corners, std::vector<glm::uvec3>& triangles,
+    void addBlade(const field::Field& field, const std::vector<shared::Organ>& organs,
+                  const shared::Blade& blade, glm::vec2 grass, std::vector<glm::vec3>& corners,
+                  std::vector<glm::uvec3>& triangles,
                   std::vector<std::pair<double, double>>& areas);
 
     std::vector<Traced> blades_;
