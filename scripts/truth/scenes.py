@@ -8,7 +8,7 @@ PLANE = {"kind": "plane", "size": [SIDE, SIDE], "cells": [24, 24]}
 # Light that both renderers have: no gloss, which is judged by --gloss.
 MATTE = ["--blade-scale", "1", "--set", "species.*.gloss=0", "--seed", "1"]
 
-# Meadow, ground, options of `sward bake`. A ground "slope" leans by so many degrees towards the eye.
+# Meadow, ground, options of `sward bake`. A ground "slope" rises by so many degrees to the left, so that every sun reaches it.
 SCENES = {
     "grass": {"meadow": "grass", "ground": PLANE, "bake": MATTE},
     "grass-thin": {"meadow": "grass", "ground": PLANE, "bake": [*MATTE, "--density", "800"]},
@@ -31,22 +31,19 @@ DISTANCES = {2: (35.0, 30.0, (640, 360)), 20: (20.0, 6.0, (320, 180)), 200: (14.
 def camera_at(scene, distance):
     """The eye looks along −z at the scene's middle, `distance` [m] away."""
     down, fov, _ = DISTANCES[distance]
-    lean = scene.get("slope", 0.0)
-    # Above the slope as above a plane.
-    angle = math.radians(down - lean)
     top = scene.get("top", 0.0)
-    eye = [0.0, top + distance * math.sin(angle), distance * math.cos(angle)]
+    eye = [0.0, top + distance * math.sin(math.radians(down)), distance * math.cos(math.radians(down))]
     return {"eye": eye, "target": [0.0, top, 0.0], "up": [0.0, 1.0, 0.0], "fov_y_deg": fov}
 
 
 def slope_mesh(degrees, cells=24):
-    """OBJ text of a square that rises towards −z."""
+    """OBJ text of a square that rises towards −x."""
     rise = math.radians(degrees)
     lines, count = [], cells + 1
     for j in range(count):
         for i in range(count):
-            x, along = SIDE * (i / cells - 0.5), SIDE * (j / cells - 0.5)
-            lines.append(f"v {x:.6f} {-along * math.sin(rise):.6f} {along * math.cos(rise):.6f}")
+            along, z = SIDE * (i / cells - 0.5), SIDE * (j / cells - 0.5)
+            lines.append(f"v {along * math.cos(rise):.6f} {-along * math.sin(rise):.6f} {z:.6f}")
     for j in range(cells):
         for i in range(cells):
             a = j * count + i + 1
