@@ -86,6 +86,18 @@ class Features(unittest.TestCase):
         # Rows are alike, as the pictures' rows are.
         self.assertLess(np.ptp(error, axis=0).max(), 1e-12)
 
+    def test_a_line_is_a_point_and_no_edge(self):
+        # σ = 0.5 · 0.082 · 67 = 2.747; (x²/σ² − 1)·exp(−x²/2σ²) is −1 at 0, −0.8119 at ±1, −0.3605 at ±2 and positive farther
+        # away: the weight at 0 is −1/3.3448.
+        line = np.full((64, 64), 0.25)
+        line[:, 30] = 0.75
+        edges, points = flip.features(line, flip.PIXELS_PER_DEGREE)
+        self.assertAlmostEqual(points[32, 30], 0.5 / 3.3448, delta=2e-5)
+        self.assertAlmostEqual(edges[32, 30], 0.0, places=12)
+        picture = np.repeat(line[..., None], 3, axis=2)
+        error = flip.feature_error(picture, np.full((64, 64, 3), 0.25), flip.PIXELS_PER_DEGREE)
+        self.assertAlmostEqual(error[32, 30], math.sqrt(0.5 / 3.3448 / math.sqrt(2.0)), delta=2e-5)
+
     def test_features_only_add(self):
         a, b = step(30), step(31)
         color = flip.color_error(a, b, flip.PIXELS_PER_DEGREE)
@@ -123,6 +135,18 @@ class Invariants(unittest.TestCase):
         near, far = (flip.color_error(fine, even(0.5, 0.5, 0.5, size=64), ppd)[20:-20, 20:-20].mean() for ppd in (10.0, 120.0))
         self.assertLess(far, 1e-4)
         self.assertGreater(near, 1000 * far)
+
+    def test_gratings_fade_as_contrast_sensitivity_does(self):
+        # 16 pixels a period: 67/16 = 4.1875 cycles per degree. exp(−0.0047 · 17.535) and exp(−0.0053 · 17.535). In the plane
+        # a·√(π/b)·exp(−π² r²/b) has the volume a·√(b/π), so the two terms weigh 34.1·0.2 = 6.82 and 13.5·0.15811 = 2.1345:
+        # (6.82 · exp(−0.7014) + 2.1345 · exp(−0.4384)) / 8.9545.
+        wave = np.cos(2.0 * np.pi * np.arange(96) / 16.0)
+        for channel, wanted in ((0, 0.92088), (1, 0.91125), (2, 0.53146)):
+            color = np.zeros((64, 96, 3))
+            color[..., 0] = 50.0
+            color[..., channel] += 10.0 * wave
+            seen = flip.seen_color(flip.from_opponent(color), flip.PIXELS_PER_DEGREE)[32, 32:64, channel]
+            self.assertAlmostEqual(np.ptp(seen) / 20.0, wanted, delta=0.004)
 
     def test_pictures_of_other_sizes_are_refused(self):
         with self.assertRaisesRegex(ValueError, r"\(64, 64, 3\) and \(40, 40, 3\)"):
