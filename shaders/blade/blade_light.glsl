@@ -46,9 +46,6 @@ struct Scattering {
     float shine;   ///< soft gloss: a strand shines along its tangent (Kajiya & Kay 1989)
 };
 
-/// Light that a leaf lets through, relative to what it reflects, times its translucency.
-const float throughShare = 0.8;
-
 /// `source`: unit, towards the source of light.
 Scattering scatteringOf(vec3 source, vec3 n, vec3 toEye, vec3 tangent)
 {
@@ -62,9 +59,6 @@ Scattering scatteringOf(vec3 source, vec3 n, vec3 toEye, vec3 tangent)
     scattering.shine = pow(max(1.0 - strand * strand, 0.0), 18.0);
     return scattering;
 }
-
-/// Tint of the light through a blade: yellower than the reflected light.
-const vec3 throughTint = vec3(1.25, 1.15, 0.45);
 
 /// Light that reaches a point. Its neighbours shade the first two, not yet the others.
 struct Incoming {

@@ -2,9 +2,10 @@
 #ifndef SWARD_COMMON_LIGHTING_GLSL
 #define SWARD_COMMON_LIGHTING_GLSL
 
-#include "shaders/common/film_curve.glsl"
 #include "shaders/shared/constants.h"
 #include "shaders/shared/distance_band.h"
+#include "shaders/shared/look/blade_colors.h"
+#include "shaders/shared/look/film_curve.h"
 #include "shaders/shared/passes.h"
 
 #ifndef FRAME
@@ -41,12 +42,6 @@ bool showsBands()
 float luminance(vec3 color)
 {
     return dot(color, vec3(0.2126, 0.7152, 0.0722));
-}
-
-/// Linear colour of an sRGB-encoded one (IEC 61966-2-1).
-vec3 decodeSrgb(vec3 c)
-{
-    return mix(c / 12.92, pow((c + 0.055) / 1.055, vec3(2.4)), greaterThan(c, vec3(0.04045)));
 }
 
 /// Radiance of the sky near the horizon in a direction with this cosine to the sun's direction.
@@ -184,12 +179,6 @@ vec3 colorOfWind(vec3 position, vec3 up)
     const float speed = clamp(length(wind) / max(FRAME.environment.wind.sum, 1e-6), 0.0, 1.0);
     return mix(mix(vec3(0.01, 0.03, 0.20), vec3(0.02, 0.45, 0.15), smoothstep(0.0, 0.45, speed)),
                vec3(1.0, 0.95, 0.8), smoothstep(0.35, 1.0, speed));
-}
-
-/// Share of the tip's colour at `along` [0, 1] of a blade's height.
-float tipShareAt(float along)
-{
-    return smoothstep(-0.15, 0.8, along);
 }
 
 #endif

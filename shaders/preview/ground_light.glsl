@@ -67,16 +67,6 @@ Relief strands(vec3 position, float size, float pixel)
     return relief;
 }
 
-/// The same variation of lush and dry places that the blades have.
-vec3 meadowShade(vec3 position)
-{
-    const float meadow = 0.65 * valueNoise(position / 2.3) + 0.35 * valueNoise(position / 0.7);
-    const float region = valueNoise(position / 13.0 + 71.0);
-    const float hue = 0.45 * (1.1 * (meadow - 0.5) + 1.2 * (region - 0.5));
-    const float light = 1.0 + 0.45 * (0.5 * (meadow - 0.5) + 0.4 * (region - 0.5));
-    return light * vec3(1.0 + 0.75 * hue, 1.0 + 0.10 * hue, 1.0 - 0.45 * hue);
-}
-
 /// Size of the largest crumbs of ground without any grass [m].
 const float bareStructure = 0.32;
 

@@ -3,7 +3,7 @@
 // Draws light and depth of a visibility into a host's rendering, sample by sample.
 #extension GL_EXT_buffer_reference_uvec2 : require
 
-#include "shaders/common/film_curve.glsl"
+#include "shaders/shared/look/film_curve.h"
 #include "shaders/shared/constants.h"
 #include "shaders/shared/passes.h"
 

@@ -3,7 +3,7 @@
 // Lights the visibility of a host's view and stores the light into the host's picture: see StoredPicture. The set of
 // the stored colour follows that of the shadow map, and then comes that of the stored depth.
 #include "shaders/resolve/sight_blade.glsl"
-#include "shaders/common/film_curve.glsl"
+#include "shaders/shared/look/film_curve.h"
 #include "shaders/resolve/stored.glsl"
 
 layout(local_size_x = rasterTile, local_size_y = rasterTile) in;

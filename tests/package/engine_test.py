@@ -52,7 +52,7 @@ class EnginePage(unittest.TestCase):
     def test_the_curve_on_the_engine_page_is_that_of_the_shaders(self):
         page = PAGE.read_text(encoding="utf-8")
         curve = page[page.index("vec3 developed("):page.index("**Equal depths.**")]
-        shader = (ROOT / "shaders/common/film_curve.glsl").read_text(encoding="utf-8")
+        shader = (ROOT / "shaders/shared/look/film_curve.h").read_text(encoding="utf-8")
         shader = shader[shader.index("vec3 filmOf("):]
 
         def numbers(text):

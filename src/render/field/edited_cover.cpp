@@ -1,8 +1,7 @@
 #include "render/field/edited_cover.h"
 
-#include "field/measure/distributions.h"
-#include "render/field/cover_corners.h"
-#include "render/field/leaf_heights.h"
+#include "field/measure/cover_corners.h"
+#include "field/measure/leaf_heights.h"
 
 #include <algorithm>
 #include <utility>
@@ -21,17 +20,17 @@ double bladesToRead(const shared::Cover& shape)
 
 } // namespace
 
-EditedCover::EditedCover(const field::FieldView& field, const LeafAreaGrid& grid)
+EditedCover::EditedCover(const field::FieldView& field, const field::LeafAreaGrid& grid)
     : shape_(grid.shape)
     , species_(field.species.begin(), field.species.end())
     , meanHeight_(grid.meanHeight)
     , scratch_(grid.values.size(), glm::vec2(0.0f))
     , leaves_(grid.values.size(), glm::dvec2(0.0))
-    , ground_(groundAreasOf(field, grid.shape))
+    , ground_(field::groundAreasOf(field, grid.shape))
     , values_(grid.values)
 {
     const double share =
-        std::min(1.0, double(maxCoverBlades) / std::max(double(field.blades.size()), 1.0));
+        std::min(1.0, double(field::maxCoverBlades) / std::max(double(field.blades.size()), 1.0));
     std::vector<shared::Patch> patches;
     for (const field::FieldCell& cell : field::cellsOf(field)) {
         patches.clear();
@@ -48,18 +47,19 @@ EditedCover::Cell EditedCover::measured(std::span<const shared::Patch> patches,
 {
     Cell cell;
     for (const shared::Patch& patch : patches)
-        forSomeBlades(species_, patch, blades, share, [&](const CoverBlade& blade) {
+        field::forSomeBlades(species_, patch, blades, share, [&](const field::CoverBlade& blade) {
             cell.roots += double(blade.area) * glm::dvec3(blade.look->rootColor);
             cell.tips += double(blade.area) * glm::dvec3(blade.look->tipColor);
             cell.leaves += double(blade.area);
             cell.heights += double(blade.area) * double(blade.height);
-            dealToCorners(shape_, blade.root, blade.area, [&](std::size_t corner, float part) {
-                if (part <= 0.0f)
-                    return;
-                if (scratch_[corner].x == 0.0f)
-                    cell.corners.push_back({static_cast<std::uint32_t>(corner), {}});
-                scratch_[corner] += part * glm::vec2(1.0f, blade.height);
-            });
+            field::dealToCorners(
+                shape_, blade.root, blade.area, [&](std::size_t corner, float part) {
+                    if (part <= 0.0f)
+                        return;
+                    if (scratch_[corner].x == 0.0f)
+                        cell.corners.push_back({static_cast<std::uint32_t>(corner), {}});
+                    scratch_[corner] += part * glm::vec2(1.0f, blade.height);
+                });
         });
     for (Corner& corner : cell.corners)
         corner.amounts = std::exchange(scratch_[corner.index], glm::vec2(0.0f));
@@ -100,18 +100,18 @@ PlaceRange EditedCover::apply(const field::Delta& delta, shared::Cover& cover)
     if (meanHeight_ <= 0.0f && sum_.leaves > nothing) {
         // The first blades of a bare field.
         meanHeight_ = static_cast<float>(sum_.heights / sum_.leaves);
-        describeHeights(leafHeightsOf(meanHeight_), cover);
+        field::describeHeights(field::leafHeightsOf(meanHeight_), cover);
     }
     for (std::uint32_t corner = low; corner < end; ++corner) {
         const glm::dvec2 amounts = leaves_[corner];
         values_[corner] = amounts.x < nothing ? 0
-                                              : grassOf(static_cast<float>(amounts.x),
-                                                        static_cast<float>(amounts.y),
-                                                        ground_[corner], meanHeight_);
+                                              : field::grassOf(static_cast<float>(amounts.x),
+                                                               static_cast<float>(amounts.y),
+                                                               ground_[corner], meanHeight_);
     }
     if (sum_.leaves > nothing)
-        colorUndergrowth(glm::vec3(sum_.roots / sum_.leaves), glm::vec3(sum_.tips / sum_.leaves),
-                         cover);
+        field::colorUndergrowth(glm::vec3(sum_.roots / sum_.leaves),
+                                glm::vec3(sum_.tips / sum_.leaves), cover);
     return low < end ? PlaceRange{low, end - low} : PlaceRange{};
 }
 

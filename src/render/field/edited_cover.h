@@ -22,12 +22,15 @@ namespace sward::render {
 class EditedCover {
 public:
     /// The grid need not have values.
-    EditedCover(const field::FieldView& field, const LeafAreaGrid& grid);
+    EditedCover(const field::FieldView& field, const field::LeafAreaGrid& grid);
 
     /// Replaces cells. Returns a range that holds all changed corners, and colours `cover`.
     PlaceRange apply(const field::Delta& delta, shared::Cover& cover);
 
-    std::span<const std::uint32_t> values() const { return values_; } ///< as LeafAreaGrid::values
+    std::span<const std::uint32_t> values() const
+    {
+        return values_;
+    } ///< as field::LeafAreaGrid::values
 
 private:
     struct Corner {

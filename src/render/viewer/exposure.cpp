@@ -1,7 +1,7 @@
 #include "render/viewer/exposure.h"
 
 #include "core/math/srgb.h"
-#include "render/field/grass_cover.h"
+#include "field/measure/leaf_area.h"
 #include "render/frame/frame_settings.h"
 
 #include <glm/common.hpp>
@@ -17,7 +17,7 @@ namespace {
 constexpr float minExposure = 0.25f;
 constexpr float maxExposure = 4.0f;
 
-/// Radiance times exposure that the film (shaders/common/film_curve.glsl) shows as 18 % grey, and
+/// Radiance times exposure that the film (shaders/shared/look/film_curve.h) shows as 18 % grey, and
 /// as 97 %.
 constexpr float exposedGrey = 0.163f;
 constexpr float exposedBright = 4.7f;
@@ -119,7 +119,7 @@ float chosenExposure(const field::FieldView& field)
     // Mean radiance of the meadow, or of the ground without any.
     glm::vec3 color(0.0f);
     shared::Cover cover = {};
-    describeUndergrowth(field, cover);
+    field::describeUndergrowth(field, cover);
     if (!field.blades.empty()) {
         color = meadowBrightness * cover.sward;
     } else {

@@ -2,7 +2,7 @@
 
 #include "core/random.h"
 #include "picture.h"
-#include "render/field/grass_cover.h"
+#include "field/measure/leaf_area.h"
 #include "render/preview/sun_shadow.h"
 #include "support/fields/display_ground.h"
 #include "support/fields/fields.h"
@@ -60,7 +60,7 @@ TEST(GrassCover, HoldsTheAreaOfAllBlades)
     for (const test::Surface surface : {test::Surface::plane, test::Surface::sphere})
         for (const float extent : {2.0f, 10.0f, 60.0f}) {
             const field::Field field = test::makeField({.surface = surface, .extent = extent});
-            const LeafAreaGrid grid = leafAreaOf(field::viewOf(field));
+            const field::LeafAreaGrid grid = field::leafAreaOf(field::viewOf(field));
             const double area = bladeArea(field);
             EXPECT_NEAR(integrated(field.ground, grid.view()), area, 0.01 * area) << extent;
         }
@@ -85,7 +85,7 @@ field::Field withoutLeaves(field::Field field)
 TEST(GrassCover, EndsWithinACellOfTheLastBlade)
 {
     const field::Field field = island(4000);
-    const LeafAreaGrid grid = leafAreaOf(field::viewOf(field));
+    const field::LeafAreaGrid grid = field::leafAreaOf(field::viewOf(field));
     const float border = 1.5f + 2.0f / grid.shape.cellsPerMetre;
     for (std::uint64_t i = 0; i < 20000; ++i) {
         const glm::vec3 p(12.0f * (static_cast<float>(uniform(2, i, 0)) - 0.5f), 0.0f,
@@ -103,8 +103,8 @@ TEST(GrassCover, OfTheFirstBladesStandsForAll)
 {
     // More blades than are sampled: equal within the sampling error.
     const field::Field field =
-        test::makeField({.blades = maxCoverBlades + maxCoverBlades / 2, .extent = 60.0f});
-    const LeafAreaGrid grid = leafAreaOf(field::viewOf(field));
+        test::makeField({.blades = field::maxCoverBlades + field::maxCoverBlades / 2, .extent = 60.0f});
+    const field::LeafAreaGrid grid = field::leafAreaOf(field::viewOf(field));
     const double area = bladeArea(field);
     EXPECT_NEAR(integrated(field.ground, grid.view()), area, 0.01 * area);
 }

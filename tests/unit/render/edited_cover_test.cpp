@@ -14,7 +14,7 @@ TEST(EditedCover, IsThatOfTheFieldJoinedAnew)
     meadow.sow({1, 0, 1}, 900);
     meadow.changes();
     const field::Field first = meadow.whole();
-    LeafAreaGrid grid = leafAreaOf(field::viewOf(first));
+    field::LeafAreaGrid grid = field::leafAreaOf(field::viewOf(first));
     EditedCover edited(field::viewOf(first), grid);
     shared::Cover colors = grid.shape;
     for (std::uint64_t step = 0; step < 6; ++step) {
@@ -22,7 +22,7 @@ TEST(EditedCover, IsThatOfTheFieldJoinedAnew)
         meadow.sow({1, 0, 1}, 900, 0.2 * double(step), step);
         const PlaceRange changed = edited.apply(meadow.changes(), colors);
         const field::Field whole = meadow.whole();
-        const LeafAreaGrid expected = leafAreaOf(field::viewOf(whole));
+        const field::LeafAreaGrid expected = field::leafAreaOf(field::viewOf(whole));
         ASSERT_EQ(expected.values.size(), edited.values().size());
         double sum = 0.0;
         for (std::uint32_t i = 0; i < expected.values.size(); ++i) {
@@ -40,7 +40,7 @@ TEST(EditedCover, IsThatOfTheFieldJoinedAnew)
         }
         EXPECT_GT(sum, 0.0);
         shared::Cover wanted = expected.shape;
-        describeUndergrowth(field::viewOf(whole), wanted);
+        field::describeUndergrowth(field::viewOf(whole), wanted);
         EXPECT_NEAR(colors.sward.y, wanted.sward.y, 1e-4f);
         EXPECT_NEAR(colors.undergrowth.x, wanted.undergrowth.x, 1e-4f);
     }

@@ -2,7 +2,7 @@
 
 #include "bake/bake.h"
 #include "core/random.h"
-#include "render/field/grass_cover.h"
+#include "field/measure/leaf_area.h"
 #include "shaders/shared/ribbon.h"
 #include "support/meshes.h"
 
@@ -61,7 +61,7 @@ field::Field bakedMeadow(const std::string& meadow, double density, double side)
 TracedMeadow::TracedMeadow(const std::string& meadow, double density, double side)
 {
     const field::Field field = bakedMeadow(meadow, density, side);
-    grid_ = render::leafAreaOf(field::viewOf(field));
+    grid_ = field::leafAreaOf(field::viewOf(field));
     const shared::Cover cover = grid_.view();
     const std::vector<shared::Organ> organs = field::organTable(field.species);
     std::vector<glm::uvec3> triangles;

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "field/field.h"
-#include "render/field/grass_cover.h"
+#include "field/measure/leaf_area.h"
 #include "terrain/query/surface_query.h"
 
 #include <glm/vec3.hpp>
@@ -85,7 +85,7 @@ private:
     std::vector<double> heights_; ///< [m] ascending …
     std::vector<double> below_;   ///< … and the share of leaf area below each
     double leafArea_ = 0.0;
-    render::LeafAreaGrid grid_;
+    field::LeafAreaGrid grid_;
     std::optional<terrain::SurfaceQuery> rays_;
 };
 

@@ -1,7 +1,6 @@
-#include "render/field/leaf_heights.h"
+#include "field/measure/leaf_heights.h"
 
 #include "field/organs.h"
-#include "render/frame/frame.h"
 #include "shaders/shared/organ.h"
 #include "shaders/shared/physics.h"
 #include "shaders/shared/pose.h"
@@ -14,7 +13,7 @@
 #include <utility>
 #include <vector>
 
-namespace sward::render {
+namespace sward::field {
 namespace {
 
 constexpr std::size_t wantedBlades = 20'000;
@@ -29,12 +28,17 @@ constexpr std::size_t pieces = 12;
 constexpr float longEnough = 1000.0f;
 
 /// Gravity, without wind.
-shared::Environment calmOf(const field::FieldView& field)
+shared::Environment calmOf(const FieldView& field)
 {
-    const FrameSettings settings = FrameSettings::of(field);
-    const FieldShape shape{field.origin, field.bounds(), field::meanBladeSize(field)};
-    shared::Environment calm = frameOf(shape, ViewMatrices{}, settings, 0.0, 1).environment;
-    calm.wind = {};
+    const Defaults& defaults = *field.defaults;
+    shared::Environment calm = {};
+    const float size = glm::length(defaults.gravityDirection);
+    calm.gravity.direction = size > 0.0f ? defaults.gravityDirection / size : glm::vec3(0, -1, 0);
+    calm.gravity.strength = defaults.gravityStrength;
+    calm.gravity.attractor = glm::vec3(defaults.attractor - field.origin);
+    calm.gravity.blend = std::clamp(defaults.attractorBlend, 0.0f, 1.0f);
+    calm.gravity.forward = shared::forwardShare;
+    calm.recovery = defaults.recovery;
     return calm;
 }
 
@@ -46,7 +50,7 @@ struct Leaves {
     double projection = 0.0; ///< sum of areas seen from above
 };
 
-void addBlade(const field::FieldView& field, const shared::Environment& calm,
+void addBlade(const FieldView& field, const shared::Environment& calm,
               const std::vector<shared::Organ>& organs, const shared::Blade& blade, Leaves& leaves)
 {
     const shared::Species& look = field.species[blade.species].look;
@@ -54,8 +58,8 @@ void addBlade(const field::FieldView& field, const shared::Environment& calm,
         blade, calm, {}, shared::stateOfTurn(glm::vec2(0.0f), 0.0f), 0.0f, longEnough);
     shared::PosedBlade posed = shared::posedBlade(blade, rest);
     if (const std::uint32_t number = shared::ribbonNumber(look, blade); number > 0)
-        posed = shared::ribbonOf(field::viewOf(organs), look, posed, number);
-    const field::BladePart part = field::partOf(field.species[blade.species], blade);
+        posed = shared::ribbonOf(viewOf(organs), look, posed, number);
+    const BladePart part = partOf(field.species[blade.species], blade);
     const float area =
         part.length * blade.width * shared::outlineArea(part.look->shape, part.look->tipThreshold);
     leaves.heights += double(area) * double(blade.height);
@@ -75,8 +79,8 @@ void addBlade(const field::FieldView& field, const shared::Environment& calm,
     for (std::size_t i = 0; i < pieces && sum > 0.0f; ++i) {
         const float t = middleOf(i);
         const float pieceArea = area * widths[i] / sum;
-        leaves.pieces.emplace_back(
-            heightOf(shared::bezierPoint(posed.v0, posed.v1, posed.v2, t)), pieceArea);
+        leaves.pieces.emplace_back(heightOf(shared::bezierPoint(posed.v0, posed.v1, posed.v2, t)),
+                                   pieceArea);
         const glm::vec3 normal =
             glm::cross(shared::bezierTangent(posed.v0, posed.v1, posed.v2, t), posed.axis);
         const float size = glm::length(normal);
@@ -87,11 +91,11 @@ void addBlade(const field::FieldView& field, const shared::Environment& calm,
 
 } // namespace
 
-LeafHeights leafHeightsOf(const field::FieldView& field)
+LeafHeights leafHeightsOf(const FieldView& field)
 {
     LeafHeights heights;
     Leaves leaves;
-    const std::vector<shared::Organ> organs = field::organTable(field.species);
+    const std::vector<shared::Organ> organs = organTable(field.species);
     const shared::Environment calm = calmOf(field);
     const std::size_t stride = std::max<std::size_t>(field.blades.size() / wantedBlades, 1);
     for (const shared::Patch& cell : field.patches) {
@@ -148,4 +152,4 @@ void describeHeights(const LeafHeights& heights, shared::Cover& cover)
         cover.leaves[i / 2] = glm::packHalf2x16(glm::vec2(halves[i], halves[i + 1]));
 }
 
-} // namespace sward::render
+} // namespace sward::field

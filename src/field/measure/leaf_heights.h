@@ -5,7 +5,7 @@
 
 #include <array>
 
-namespace sward::render {
+namespace sward::field {
 
 /// Where the leaves of a field are: their area by height above the ground, with blades at rest.
 struct LeafHeights {
@@ -17,7 +17,7 @@ struct LeafHeights {
 };
 
 /// Of some 20 000 blades that are spread evenly over the field.
-LeafHeights leafHeightsOf(const field::FieldView& field);
+LeafHeights leafHeightsOf(const FieldView& field);
 
 /// Of a field that was bare and gets blades of this mean height: uprights that taper.
 LeafHeights leafHeightsOf(float meanHeight);
@@ -25,4 +25,4 @@ LeafHeights leafHeightsOf(float meanHeight);
 /// Sets Cover::stepsPerMetre and leaves.
 void describeHeights(const LeafHeights& heights, shared::Cover& cover);
 
-} // namespace sward::render
+} // namespace sward::field

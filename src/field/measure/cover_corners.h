@@ -14,7 +14,7 @@
 #include <span>
 #include <vector>
 
-namespace sward::render {
+namespace sward::field {
 
 /// Calls `put(corner, amount)` for each corner around a place, with the weights of leafAreaAt().
 template <typename Put>
@@ -74,14 +74,14 @@ struct CoverBlade {
 /// Calls `visit` for the first `share` of a patch's blades: they are spread evenly over it and
 /// represent all.
 template <typename Visit>
-void forSomeBlades(std::span<const field::Species> species, const shared::Patch& cell,
+void forSomeBlades(std::span<const Species> species, const shared::Patch& cell,
                    std::span<const shared::PackedBlade> blades, double share, const Visit& visit)
 {
     const auto read =
         static_cast<std::uint32_t>(std::ceil(share * static_cast<double>(cell.bladeCount)));
     for (std::uint32_t i = 0; i < read; ++i) {
         const shared::Blade blade = shared::unpackBlade(blades[cell.firstBlade + i], cell);
-        const field::BladePart part = field::partOf(species[blade.species], blade);
+        const BladePart part = partOf(species[blade.species], blade);
         const float area = part.length * blade.width *
                            shared::outlineArea(part.look->shape, part.look->tipThreshold);
         visit(CoverBlade{blade.root, blade.height,
@@ -90,4 +90,4 @@ void forSomeBlades(std::span<const field::Species> species, const shared::Patch&
     }
 }
 
-} // namespace sward::render
+} // namespace sward::field
