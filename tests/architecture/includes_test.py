@@ -22,6 +22,7 @@ FOLDERS = {
     "terrain": "terrain",
     "field": "src/field",
     "interchange": "src/interchange",
+    "trace": "src/trace",
     "bake": "src/bake",
     "gpu": "src/gpu",
     "render": "src/render",
@@ -41,13 +42,14 @@ MAY_USE = {
                "draco meshoptimizer intrinsics",
     "field": "core shared fmt glm nlohmann xxhash zstd stb",
     "interchange": "core shared field fmt glm nlohmann stb",
+    "trace": "core shared field fmt glm embree tbb",
     "bake": "core shared terrain field fmt glm nlohmann tbb meshoptimizer",
     "gpu": "core fmt glm vulkan",
     "render": "core shared shaders field gpu fmt glm vulkan",
     "presentation": "core shared field render fmt glm nlohmann",
     "c": "core shared field gpu render presentation glm vulkan",
     "apps_common": "core fmt glm nlohmann cli11 posix",
-    "sward": "core shared terrain field interchange bake apps_common fmt glm nlohmann cli11 posix",
+    "sward": "core shared terrain field interchange trace bake apps_common fmt glm nlohmann cli11 posix",
     "sward_view": "core shared shaders field gpu render presentation apps_common fmt glm nlohmann cli11 posix "
                   "vulkan glfw imgui stb",
 }
@@ -83,7 +85,7 @@ ONLY_IN = {
     "tinygltf": ["terrain/gltf/*"],
     "openmesh": ["terrain/topology/topology*", "terrain/topology/half_edges*",
                  "terrain/mesh_files/mesh_import*", "terrain/*openmesh*"],
-    "embree": ["terrain/query/surface_query*"],
+    "embree": ["terrain/query/surface_query*", "src/trace/ray_scene*"],
     "png": ["terrain/image/png_pixels*"],
     "openexr": ["terrain/heightmap/exr_heights*"],
     "draco": ["terrain/gltf/codecs/draco_geometry*"],
@@ -95,6 +97,7 @@ ONLY_IN = {
 # that holds them all.
 INSIDE = {
     "core": "math files json",
+    "shared": "look",
     "field": "file measure",
     "interchange": "usda",
     "gpu": "context recording memory pipeline device presentation",
@@ -285,6 +288,10 @@ class PlantedIncludesAreCaught(unittest.TestCase):
             ("src/apps/sward/a.cpp", '#include "gpu/device/device.h"', "sward must not see gpu"),
             ("src/apps/sward_view/a.cpp", '#include "bake/bake.h"', "sward_view must not see bake"),
             ("src/interchange/a.cpp", '#include "bake/bake.h"', "interchange must not see bake"),
+            ("src/trace/a.cpp", '#include "terrain/mesh.h"', "trace must not see terrain"),
+            ("src/trace/a.cpp", '#include "render/pass.h"', "trace must not see render"),
+            ("src/render/a.cpp", '#include "trace/tracer.h"', "render must not see trace"),
+            ("src/trace/tracer.cpp", "#include <embree3/rtcore.h>", "may see embree"),
             ("terrain/topology/topology.cpp", "#include <embree3/rtcore.h>", "may see embree"),
             ("terrain/recipe.cpp", "#include <tiny_gltf.h>", "may see tinygltf"),
             ("terrain/load.cpp", "#include <OpenMesh/Core/Mesh.hh>", "may see openmesh"),
@@ -307,7 +314,7 @@ class PlantedIncludesAreCaught(unittest.TestCase):
         ]
         house = {path: "#pragma once\n" for path in (
             "src/field/field.h", "terrain/mesh.h", "src/render/pass.h", "src/gpu/device/device.h",
-            "src/bake/bake.h", "src/render/raster/raster.h",
+            "src/bake/bake.h", "src/render/raster/raster.h", "src/trace/tracer.h",
             "src/presentation/viewpoint.h", "shaders/preview/a.glsl")}
         house["terrain/gltf/codecs/c.h"] = "#pragma once\n"
         house["terrain/gltf/inner.h"] = "#pragma once\n#include <tiny_gltf.h>\n"

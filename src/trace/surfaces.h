@@ -1,0 +1,80 @@
+#pragma once
+
+#include "field/field.h"
+#include "shaders/shared/cover.h"
+#include "trace/blade_poses.h"
+#include "trace/leaf.h"
+
+#include <glm/vec2.hpp>
+#include <glm/vec3.hpp>
+#include <glm/vec4.hpp>
+
+#include <cstdint>
+#include <vector>
+
+namespace sward::trace {
+
+/// What a ray may meet.
+enum class Part : std::uint32_t { blades = 0, ground = 1 };
+
+/// The number that a picture shows where it shows no blade; blade n of the field is firstBlade + n.
+inline constexpr std::uint32_t noSurface = 0;
+inline constexpr std::uint32_t groundSurface = 1; ///< likewise
+inline constexpr std::uint32_t firstBlade = 2;    ///< likewise
+
+/// The blades and the ground of a field as geometry with colours. Places are relative to the
+/// field's origin.
+struct Surfaces {
+    /// The strip of a blade.
+    struct Strip {
+        std::uint32_t firstQuad = 0;
+        std::uint32_t firstRow = 0; ///< of `along`
+        std::uint32_t blade = 0;    ///< index in the field
+        std::uint32_t columns = 1;  ///< quads of a row: 2 if the blade is folded
+        glm::vec3 root{0.0f};       ///< colours, linear
+        glm::vec3 tip{0.0f};        ///< likewise
+        float translucency = 0.0f;  ///< [0, 1]
+        float gloss = 0.0f;         ///< [0, 1]
+    };
+
+    Surfaces() = default;
+    Surfaces(Surfaces&&) noexcept = default;            ///< `cover` stays valid
+    Surfaces& operator=(Surfaces&&) noexcept = default; ///< likewise
+
+    std::vector<glm::vec3> points;        ///< of blades; one more at the end, for Embree
+    std::vector<glm::uvec4> quads;        ///< left, right, right and left one row on
+    std::vector<std::uint32_t> quadStrip; ///< strip of each quad
+    std::vector<Strip> strips;            ///< one for each blade with an area
+    std::vector<float> along;             ///< [0, 1] of each row
+
+    std::vector<glm::vec3> groundPoints;           ///< one more at the end, for Embree
+    std::vector<glm::uvec3> groundTriangles;       ///< corners
+    std::vector<glm::vec3> groundNormals;          ///< unit, one for each point
+    std::vector<glm::vec3> groundColors;           ///< linear albedo, one for each point
+    std::vector<glm::vec2> groundUvs;              ///< one for each point
+    std::vector<std::uint32_t> groundMaterials;    ///< of each triangle
+    std::vector<shared::GroundMaterial> materials; ///< as DisplayGround::materials
+    std::vector<field::Image> images;              ///< as DisplayGround::images
+    shared::Cover cover = {};                      ///< undergrowth on the ground …
+    std::vector<float> leafArea;                   ///< … with its table
+};
+
+/// Which factors of a field's look a picture has.
+struct SurfaceSettings {
+    float gloss = 1.0f;        ///< [0, 1] factor of the species' gloss
+    float translucency = 1.0f; ///< [0, 1] factor of the species' translucency
+    float thatch = 1.0f;       ///< [0, 1] as render::FrameSettings::thatch
+};
+
+/// `poses`: one for each blade. Throws Error{runtime} if the field has too many quads for one
+/// scene.
+Surfaces surfacesOf(const field::FieldView& field, const std::vector<BladePose>& poses,
+                    const SurfaceSettings& settings);
+
+/// The scattering of a place of a blade, `along` [0, 1] of its height.
+Leaf leafAt(const Surfaces::Strip& strip, float along);
+
+/// Albedo of the ground: of its material, image and vertices, with undergrowth on it.
+glm::vec3 groundAlbedo(const Surfaces& surfaces, std::uint32_t triangle, glm::vec3 shares);
+
+} // namespace sward::trace
