@@ -22,7 +22,7 @@ inline constexpr float outlineError = 0.005f;
 
 /// Largest distance between the curve and its chords, in widths of the blade; where a blade is so
 /// narrow or so bent that this needs more than maxRows rows, it grows to what those have.
-inline constexpr float curveError = 0.05f;
+inline constexpr float curveError = 0.1f;
 
 /// Largest number of rows of a blade.
 inline constexpr std::uint32_t maxRows = 65;

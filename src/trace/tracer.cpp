@@ -174,7 +174,6 @@ void Tracer::add(std::uint32_t samples, Progress& progress)
 {
     const std::size_t width = settings_.size.x;
     std::atomic<std::uint64_t> rays = 0;
-    progress.begin("tracing", settings_.size.y);
     tbb::parallel_for(std::size_t(0), std::size_t(settings_.size.y), [&](std::size_t y) {
         std::uint64_t own = 0;
         for (std::size_t x = 0; x < width; ++x) {
@@ -187,7 +186,7 @@ void Tracer::add(std::uint32_t samples, Progress& progress)
             }
         }
         rays += own;
-        progress.advance(1);
+        progress.advance(samples);
     });
     samples_ += samples;
     counts_.paths += std::uint64_t(samples) * sums_.size();

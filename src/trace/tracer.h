@@ -51,7 +51,8 @@ public:
     Tracer(const RayScene& scene, const Camera& camera, glm::dvec3 origin, const Light& light,
            const TraceSettings& settings);
 
-    /// Adds `samples` to each pixel. Throws Error{interrupted} if `progress` is cancelled; then the
+    /// Adds `samples` to each pixel. Advances `progress`, whose stage the caller has begun, by a
+    /// step for each sample of a row. Throws Error{interrupted} if it is cancelled; then the
     /// picture is of no use.
     void add(std::uint32_t samples, Progress& progress);
 

@@ -48,7 +48,7 @@ MAY_USE = {
     "render": "core shared shaders field gpu fmt glm vulkan",
     "presentation": "core shared field render fmt glm nlohmann",
     "c": "core shared field gpu render presentation glm vulkan",
-    "apps_common": "core fmt glm nlohmann cli11 posix",
+    "apps_common": "core fmt glm nlohmann cli11 posix stb openexr",
     "sward": "core shared terrain field interchange trace bake apps_common fmt glm nlohmann cli11 posix",
     "sward_view": "core shared shaders field gpu render presentation apps_common fmt glm nlohmann cli11 posix "
                   "vulkan glfw imgui stb",
@@ -87,7 +87,7 @@ ONLY_IN = {
                  "terrain/mesh_files/mesh_import*", "terrain/*openmesh*"],
     "embree": ["terrain/query/surface_query*", "src/trace/ray_scene*"],
     "png": ["terrain/image/png_pixels*"],
-    "openexr": ["terrain/heightmap/exr_heights*"],
+    "openexr": ["terrain/heightmap/exr_heights*", "src/apps/common/picture/exr_file*"],
     "draco": ["terrain/gltf/codecs/draco_geometry*"],
     "intrinsics": ["terrain/query/surface_query*"],
     "spdlog": ["src/core/log.cpp"],
@@ -106,7 +106,7 @@ INSIDE = {
     "shaders": "common blade cull raster resolve tessellation preview bench",
     "terrain": "topology image files heightmap gltf mesh_files procedural query loading",
     "terrain/gltf": "file codecs",
-    "apps_common": "terminal",
+    "apps_common": "terminal picture",
     "sward": "files text options",
     "sward_view": "files picture scene fields paint interface navigation panels window headless",
 }

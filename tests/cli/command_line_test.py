@@ -6,7 +6,7 @@ import unittest
 
 from support import CliTest, INPUT, IO, USAGE, ROOT
 
-COMMANDS = ("bake", "info", "validate", "compare", "export", "terrain", "plan", "tile", "merge")
+COMMANDS = ("bake", "info", "validate", "compare", "export", "terrain", "plan", "tile", "merge", "trace")
 
 
 class CommandLine(CliTest):
@@ -40,7 +40,7 @@ class CommandLine(CliTest):
         self.bake("plane", "--count", "5", to="f.sward")
         self.sward("terrain", "plane", "-o", "x.glb")
         for command in (("info", "x.glb"), ("validate", "x.glb"), ("export", "x.glb", "-o", "x.csv"),
-                        ("compare", "f.sward", "x.glb"), ("compare", "x.glb", "f.sward")):
+                        ("trace", "x.glb", "-o", "x.exr"), ("compare", "f.sward", "x.glb"), ("compare", "x.glb", "f.sward")):
             with self.subTest(command=command):
                 self.refused(*command, code=INPUT, names=["'sward bake x.glb -o x.sward'"])
 

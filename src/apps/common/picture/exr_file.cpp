@@ -1,0 +1,102 @@
+#include "apps/common/picture/exr_file.h"
+
+#include "core/error.h"
+#include "core/expect.h"
+#include "core/files/atomic_file.h"
+
+#include <OpenEXR/ImfChannelList.h>
+#include <OpenEXR/ImfFrameBuffer.h>
+#include <OpenEXR/ImfHeader.h>
+#include <OpenEXR/ImfIO.h>
+#include <OpenEXR/ImfOutputFile.h>
+
+#include <algorithm>
+#include <cstdint>
+#include <cstring>
+#include <exception>
+#include <new>
+#include <vector>
+
+namespace sward::apps {
+namespace {
+
+// The file in memory: it is written whole afterwards.
+class MemoryOutput final : public Imf::OStream {
+public:
+    MemoryOutput()
+        : Imf::OStream("picture")
+    {
+    }
+
+    void write(const char from[], int count) override
+    {
+        const auto size = static_cast<std::size_t>(std::max(count, 0));
+        bytes_.resize(std::max(bytes_.size(), at_ + size));
+        std::memcpy(bytes_.data() + at_, from, size);
+        at_ += size;
+    }
+    std::uint64_t tellp() override { return at_; }
+    void seekp(std::uint64_t place) override { at_ = static_cast<std::size_t>(place); }
+
+    const std::vector<std::byte>& bytes() const { return bytes_; }
+
+private:
+    std::vector<std::byte> bytes_;
+    std::size_t at_ = 0;
+};
+
+Imf::PixelType pixelType(ExrChannel::Type type)
+{
+    switch (type) {
+    case ExrChannel::Type::half:
+        return Imf::HALF;
+    case ExrChannel::Type::whole:
+        return Imf::UINT;
+    case ExrChannel::Type::real:
+        break;
+    }
+    return Imf::FLOAT;
+}
+
+std::vector<std::byte> encode(glm::uvec2 size, std::span<const ExrChannel> channels)
+{
+    Imf::Header header(static_cast<int>(size.x), static_cast<int>(size.y));
+    header.compression() = Imf::ZIP_COMPRESSION;
+    Imf::FrameBuffer pixels;
+    for (const ExrChannel& channel : channels) {
+        const Imf::PixelType type = pixelType(channel.type);
+        header.channels().insert(channel.name, Imf::Channel(type));
+        // The library only reads what it calls a pointer to characters that may change.
+        char* const first = static_cast<char*>(const_cast<void*>(channel.first));
+        pixels.insert(channel.name, Imf::Slice(type, first, channel.step, channel.step * size.x));
+    }
+    MemoryOutput output;
+    {
+        Imf::OutputFile file(output, header, 0);
+        file.setFrameBuffer(pixels);
+        file.writePixels(static_cast<int>(size.y));
+    }
+    return output.bytes();
+}
+
+} // namespace
+
+void writeExr(glm::uvec2 size, std::span<const ExrChannel> channels,
+              const std::filesystem::path& path, bool overwrite)
+{
+    expect(size.x > 0 && size.y > 0 && !channels.empty(), "a picture has pixels and channels");
+    std::vector<std::byte> encoded;
+    try {
+        encoded = encode(size, channels);
+    } catch (const std::bad_alloc&) {
+        throw;
+    } catch (const std::exception&) {
+        fail(ErrorKind::runtime, "{}: cannot encode a picture of {}x{} pixels with {} channels",
+             path.string(), size.x, size.y, channels.size());
+    }
+    AtomicFile file(path, overwrite);
+    file.write(encoded);
+    file.commit();
+}
+
+} // namespace sward::apps
