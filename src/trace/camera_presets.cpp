@@ -15,6 +15,7 @@ constexpr double presetView = 40.0;   // [degrees] vertical field of view
 constexpr double fitElevation = 24.0; // [degrees] of the eye
 constexpr double fitFromSun = 50.0;   // [degrees] between the eye's and the sun's direction
 constexpr double personHeight = 1.7;  // [m] less on grounds shorter than 8 m
+constexpr double eyePlace = 0.4;      // [lengths of the ground] behind the middle
 constexpr double eyeSlope = -0.15;    // of the view: grass fills two thirds of the picture
 
 glm::dvec3 levelPart(glm::dvec3 v, glm::dvec3 up)
@@ -70,13 +71,14 @@ Camera presetCamera(CameraPreset preset, const field::FieldView& field, const Ra
         camera.up = aspect >= 1.0 ? glm::cross(above, longer) : longer;
         break;
     case CameraPreset::eye: {
-        // The ground or the grass below the sky of the middle.
-        const glm::vec3 start = glm::vec3(centre + (radius + 1.0) * above);
+        // On the ground or the grass, near an end.
+        const double length = glm::dot(glm::abs(longer), glm::dvec3(box.size()));
+        const glm::dvec3 place = centre - eyePlace * length * longer;
+        const glm::vec3 start = glm::vec3(place + (radius + 1.0) * above);
         RayHit hit;
         const double rise =
             scene.meets(start, -up, hit) ? glm::dot(glm::dvec3(hit.position) - centre, above) : 0.0;
-        const double length = glm::dot(glm::abs(longer), glm::dvec3(box.size()));
-        camera.eye = centre + (rise + personHeight * std::min(1.0, length / 8.0)) * above;
+        camera.eye = place + (rise + personHeight * std::min(1.0, length / 8.0)) * above;
         camera.target = camera.eye + longer + eyeSlope * above;
         break;
     }

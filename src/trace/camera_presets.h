@@ -11,7 +11,7 @@ namespace sward::trace {
 /// Views of a field.
 enum class CameraPreset {
     fit, ///< all of it, from above and from the side of the sun
-    eye, ///< from the height of a person in the middle of it, along its longer side
+    eye, ///< from the height of a person, along its longer side from near an end
     top, ///< all of it, straight down
 };
 

@@ -93,7 +93,6 @@ void addGround(Surfaces& surfaces, const field::DisplayGround& ground)
 {
     for (const shared::GroundVertex& corner : ground.vertices) {
         surfaces.groundPoints.push_back(corner.position);
-        surfaces.groundNormals.push_back(shared::decodeNormal32(corner.normal));
         surfaces.groundColors.push_back(vertexColor(corner.color));
         surfaces.groundUvs.push_back(corner.uv);
     }

@@ -49,7 +49,6 @@ struct Surfaces {
 
     std::vector<glm::vec3> groundPoints;           ///< one more at the end, for Embree
     std::vector<glm::uvec3> groundTriangles;       ///< corners
-    std::vector<glm::vec3> groundNormals;          ///< unit, one for each point
     std::vector<glm::vec3> groundColors;           ///< linear albedo, one for each point
     std::vector<glm::vec2> groundUvs;              ///< one for each point
     std::vector<std::uint32_t> groundMaterials;    ///< of each triangle

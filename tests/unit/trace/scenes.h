@@ -46,7 +46,6 @@ inline void addGround(Surfaces& surfaces, float extent, glm::vec3 albedo)
     surfaces.groundPoints.insert(surfaces.groundPoints.end(),
                                  {{-h, 0, -h}, {-h, 0, h}, {h, 0, h}, {h, 0, -h}, {0, 0, 0}});
     for (int i = 0; i < 4; ++i) {
-        surfaces.groundNormals.emplace_back(0.0f, 1.0f, 0.0f);
         surfaces.groundColors.emplace_back(albedo);
         surfaces.groundUvs.emplace_back(0.0f);
     }
