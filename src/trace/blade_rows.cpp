@@ -11,23 +11,23 @@
 namespace sward::trace {
 namespace {
 
-// Segments in which the chords of a parabola that falls by `fall` widths are within outlineError:
-// n of them stray by fall/(4 n²).
-std::uint32_t parabolaSegments(float fall)
+// Segments in which the chords of a parabola that falls by `fall` widths are within an error: n of
+// them stray by fall/(4 n²).
+std::uint32_t parabolaSegments(float fall, float error)
 {
-    return static_cast<std::uint32_t>(std::ceil(std::sqrt(fall / (4.0f * outlineError))));
+    return static_cast<std::uint32_t>(std::max(std::ceil(std::sqrt(fall / (4.0f * error))), 1.0f));
 }
 
 // Segments that the outline needs in each of its parts.
-std::uint32_t outlineSegments(std::uint32_t shape)
+std::uint32_t outlineSegments(std::uint32_t shape, float error)
 {
     switch (shape) {
     case shared::shapeQuadratic:
-        return parabolaSegments(1.0f);
+        return parabolaSegments(1.0f, error);
     case shared::shapeLeaf:
-        return parabolaSegments(0.5f);
+        return parabolaSegments(0.5f, error);
     case shared::shapeDandelion:
-        return maxRows - 1;
+        return maxSegments;
     default:
         return 1;
     }
@@ -35,13 +35,14 @@ std::uint32_t outlineSegments(std::uint32_t shape)
 
 } // namespace
 
-std::vector<float> rowsOf(const shared::Species& look, const BladePose& pose, float width)
+std::vector<float> rowsOf(const shared::Species& look, const BladePose& pose, float width,
+                          const RowErrors& errors)
 {
     // L chords of a quadratic Bézier deviate from it by at most |v0 − 2 v1 + v2| / (4 L²).
     const float stray = glm::length(pose.v0 - 2.0f * pose.v1 + pose.v2);
     const float chords =
-        std::clamp(std::ceil(std::sqrt(stray / (4.0f * curveError * std::max(width, 1e-9f)))), 1.0f,
-                   float(maxRows - 2));
+        std::clamp(std::ceil(std::sqrt(stray / (4.0f * errors.curve * std::max(width, 1e-9f)))),
+                   1.0f, float(maxSegments));
 
     // The outline has a part on either side of its kink, which is a row.
     std::vector<float> ends{0.0f, 1.0f};
@@ -51,8 +52,9 @@ std::vector<float> rowsOf(const shared::Species& look, const BladePose& pose, fl
     std::vector<float> rows{0.0f};
     for (std::size_t part = 0; part + 1 < ends.size(); ++part) {
         const float length = ends[part + 1] - ends[part];
-        const std::uint32_t segments = std::max(
-            outlineSegments(look.shape), static_cast<std::uint32_t>(std::ceil(chords * length)));
+        const std::uint32_t segments =
+            std::max(outlineSegments(look.shape, errors.outline),
+                     static_cast<std::uint32_t>(std::ceil(chords * length)));
         for (std::uint32_t i = 1; i <= segments; ++i)
             rows.push_back(i < segments ? ends[part] + length * float(i) / float(segments)
                                         : ends[part + 1]);

@@ -13,22 +13,22 @@ namespace sward::trace {
 // A blade as a strip of flat quadrilaterals: rows of points across it, straight from row to row.
 //
 // Rows lie on the curve of the blade, and their edges are those of shared::outlineAt(), at full
-// width and with the full fold. Between rows the outline is off by at most `outlineError`, and the
-// curve by at most `curveError`.
+// width and with the full fold. Between rows outline and curve are off by at most chosen distances.
 
-/// Largest error of half the width between rows, in widths of the blade. A dandelion's leaf, whose
-/// outline has vertical tangents between its lobes, is within 0.06.
-inline constexpr float outlineError = 0.005f;
+/// Largest distances between rows, in widths of the blade.
+struct RowErrors {
+    float curve = 0.05f;    ///< > 0; between the curve and its chords
+    float outline = 0.005f; ///< > 0; of an edge. A dandelion's leaf, whose outline has vertical
+                            ///< tangents between its lobes, is within 0.06.
+};
 
-/// Largest distance between the curve and its chords, in widths of the blade; where a blade is so
-/// narrow or so bent that this needs more than maxRows rows, it grows to what those have.
-inline constexpr float curveError = 0.1f;
-
-/// Largest number of rows of a blade.
-inline constexpr std::uint32_t maxRows = 65;
+/// Largest number of segments of a blade's curve.
+inline constexpr std::uint32_t maxSegments = 64;
 
 /// Places along the blade, from 0 to 1, where its rows lie. `width` [m] is that of an outline of 1.
-std::vector<float> rowsOf(const shared::Species& look, const BladePose& pose, float width);
+/// A blade so narrow or so bent that its curve needs more than maxSegments has the error of those.
+std::vector<float> rowsOf(const shared::Species& look, const BladePose& pose, float width,
+                          const RowErrors& errors = {});
 
 /// The points of a row.
 struct BladeRow {

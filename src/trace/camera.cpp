@@ -55,6 +55,11 @@ glm::vec3 Lens::direction(glm::vec2 place) const
     return glm::normalize(corner_ + place.x * right_ + place.y * down_);
 }
 
+float Lens::pixel() const
+{
+    return glm::length(down_);
+}
+
 float Lens::depthOf(glm::vec3 direction, float distance) const
 {
     return distance * glm::dot(direction, forward_);

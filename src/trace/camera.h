@@ -26,6 +26,9 @@ public:
     /// Unit direction through a place of the picture [pixels], from its upper left corner.
     glm::vec3 direction(glm::vec2 place) const;
 
+    /// Size of a pixel in the middle of the picture [m at 1 m distance].
+    float pixel() const;
+
     /// Distance along the view, of a point `distance` away in unit `direction`.
     float depthOf(glm::vec3 direction, float distance) const;
 

@@ -71,7 +71,7 @@ Camera presetCamera(CameraPreset preset, const field::FieldView& field, const Ra
         camera.up = aspect >= 1.0 ? glm::cross(above, longer) : longer;
         break;
     case CameraPreset::eye: {
-        // On the ground or the grass, near an end.
+        // On the ground, near an end.
         const double length = glm::dot(glm::abs(longer), glm::dvec3(box.size()));
         const glm::dvec3 place = centre - eyePlace * length * longer;
         const glm::vec3 start = glm::vec3(place + (radius + 1.0) * above);

@@ -17,7 +17,7 @@ enum class CameraPreset {
 
 /// The camera of a preset. The viewer's presets of these names look for a better place, and are not
 /// the same. `up`: unit, away from the ground. `sun`: towards the sun. `aspect`: width of the
-/// picture / height.
+/// picture / height. `scene` has the field's ground.
 Camera presetCamera(CameraPreset preset, const field::FieldView& field, const RayScene& scene,
                     glm::vec3 up, glm::vec3 sun, double aspect);
 

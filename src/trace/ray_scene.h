@@ -21,8 +21,8 @@ struct RayHit {
     std::uint32_t strip = 0;     ///< of blades: index of Surfaces::strips
 };
 
-/// Rays among the surfaces. Embree answers them in robust mode, with AVX2 where the CPU has it, over
-/// a hierarchy that one thread builds: every run has the same hits. Thread-safe once built.
+/// Rays among the surfaces. Embree answers them in robust mode, with AVX2 where the CPU has it,
+/// over a hierarchy that one thread builds: every run has the same hits. Thread-safe once built.
 class RayScene {
 public:
     /// Throws Error{runtime} if memory is short, Error{unsupported} without SSE2.

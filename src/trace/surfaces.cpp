@@ -6,7 +6,6 @@
 #include "field/organs.h"
 #include "shaders/shared/look/blade_colors.h"
 #include "shaders/shared/organ.h"
-#include "trace/blade_rows.h"
 
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
@@ -48,7 +47,15 @@ void addBlade(Surfaces& surfaces, std::uint32_t index, const PartLook& part, con
     const float width = part.blade.width;
     if (!(width > 0.0f) || !(part.blade.height > 0.0f))
         return;
-    const std::vector<float> rows = rowsOf(part.look, pose, width);
+    RowErrors errors = settings.errors;
+    if (settings.seen) {
+        const float distance =
+            std::max(glm::length(pose.v0 - settings.seen->eye) - part.blade.height, 0.0f);
+        const float enough = pixelShare * settings.seen->pixel * distance / width;
+        errors.curve = std::max(errors.curve, enough);
+        errors.outline = std::max(errors.outline, enough);
+    }
+    const std::vector<float> rows = rowsOf(part.look, pose, width, errors);
     const bool isFolded = part.look.fold > 0.0f;
     const std::uint32_t columns = isFolded ? 2 : 1;
     if (surfaces.points.size() + rows.size() * (columns + 1) >
@@ -166,6 +173,15 @@ Surfaces surfacesOf(const field::FieldView& field, const std::vector<BladePose>&
             const shared::Blade blade = shared::unpackBlade(field.blades[index], cell);
             addBlade(surfaces, index, lookOf(field, table, blade), poses[index], settings);
         }
+    addGround(surfaces, *field.ground);
+    surfaces.points.emplace_back(0.0f);
+    surfaces.groundPoints.emplace_back(0.0f);
+    return surfaces;
+}
+
+Surfaces groundOf(const field::FieldView& field)
+{
+    Surfaces surfaces;
     addGround(surfaces, *field.ground);
     surfaces.points.emplace_back(0.0f);
     surfaces.groundPoints.emplace_back(0.0f);

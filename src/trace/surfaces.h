@@ -3,6 +3,7 @@
 #include "field/field.h"
 #include "shaders/shared/cover.h"
 #include "trace/blade_poses.h"
+#include "trace/blade_rows.h"
 #include "trace/leaf.h"
 
 #include <glm/vec2.hpp>
@@ -10,6 +11,7 @@
 #include <glm/vec4.hpp>
 
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 namespace sward::trace {
@@ -58,17 +60,30 @@ struct Surfaces {
     std::vector<float> leafArea;                   ///< … with its table
 };
 
-/// Which factors of a field's look a picture has.
+/// From where a picture is taken. Outline and curve of a blade may stray by pixelShare of a pixel,
+/// if that is more than SurfaceSettings::errors.
+struct Seen {
+    glm::vec3 eye{0.0f}; ///< [m] relative to the field's origin
+    float pixel = 0.0f;  ///< [m] of a pixel at 1 m distance, ≥ 0
+};
+inline constexpr float pixelShare = 0.1f; ///< see Seen
+
+/// How exact the geometry is, and which factors of a field's look a picture has.
 struct SurfaceSettings {
-    float gloss = 1.0f;        ///< [0, 1] factor of the species' gloss
-    float translucency = 1.0f; ///< [0, 1] factor of the species' translucency
-    float thatch = 1.0f;       ///< [0, 1] as render::FrameSettings::thatch
+    float gloss = 1.0f;         ///< [0, 1] factor of the species' gloss
+    float translucency = 1.0f;  ///< [0, 1] factor of the species' translucency
+    float thatch = 1.0f;        ///< [0, 1] as render::FrameSettings::thatch
+    RowErrors errors{};         ///< of strips; more where far away
+    std::optional<Seen> seen{}; ///< from where; unset: nothing is far away
 };
 
 /// `poses`: one for each blade. Throws Error{runtime} if the field has too many quads for one
 /// scene.
 Surfaces surfacesOf(const field::FieldView& field, const std::vector<BladePose>& poses,
                     const SurfaceSettings& settings);
+
+/// The ground alone, without undergrowth: for rays.
+Surfaces groundOf(const field::FieldView& field);
 
 /// The scattering of a place of a blade, `along` [0, 1] of its height.
 Leaf leafAt(const Surfaces::Strip& strip, float along);

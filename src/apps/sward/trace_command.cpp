@@ -68,10 +68,14 @@ private:
         const std::vector<trace::BladePose> poses = options_.poses.empty()
                                                         ? trace::restingPoses(view)
                                                         : trace::readPoses(view, options_.poses);
-        const trace::RayScene scene(trace::surfacesOf(view, poses, options_.surfaces));
         const trace::Light light = options_.lightOver(view);
         const trace::TraceSettings& settings = options_.settings();
-        const trace::Camera camera = options_.cameraOf(view, scene, light);
+        const trace::Camera camera =
+            options_.cameraOf(view, trace::RayScene(trace::groundOf(view)), light);
+        const trace::Lens lens(camera, view.origin, settings.size);
+        trace::SurfaceSettings exactness = options_.surfaces;
+        exactness.seen = {.eye = lens.eye(), .pixel = lens.pixel()};
+        const trace::RayScene scene(trace::surfacesOf(view, poses, exactness));
         trace::Tracer tracer(scene, camera, view.origin, light, settings);
         log::debug("scene: {} quads, {} triangles of ground, {:.1f} s",
                    scene.surfaces().quads.size(), scene.surfaces().groundTriangles.size(),

@@ -57,8 +57,8 @@ TEST(BladeRows, OutlineBetweenRowsIsWithinItsBound)
         for (const float threshold : {0.0f, 0.05f, 0.3f, 0.5f, 0.77f, 0.99f}) {
             const shared::Species look = lookOf(shape, threshold);
             const std::vector<float> rows = rowsOf(look, bentPose(), width);
-            EXPECT_LE(rows.size(), std::size_t(maxRows) + 1);
-            const float bound = shape == shared::shapeDandelion ? 0.06f : outlineError;
+            EXPECT_LE(rows.size(), std::size_t(maxSegments) + 3);
+            const float bound = shape == shared::shapeDandelion ? 0.06f : RowErrors().outline;
             float error = 0.0f;
             for (float t = 0.0f; t <= 1.0f; t += 1.0f / 2048.0f) {
                 const glm::vec2 exact = shared::outlineAt(shape, threshold, t);
@@ -81,7 +81,7 @@ TEST(BladeRows, CurveBetweenRowsIsWithinItsBound)
             shared::bezierPoint(pose.v0, pose.v1, pose.v2, 0.5f * (rows[i - 1] + rows[i]));
         error = std::max(error, glm::length(middle - 0.5f * (a + b)));
     }
-    EXPECT_LE(error, curveError * width * 1.01f);
+    EXPECT_LE(error, RowErrors().curve * width * 1.01f);
     EXPECT_GT(rows.size(), 4U);
 }
 

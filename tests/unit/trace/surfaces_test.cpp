@@ -21,6 +21,18 @@ Surfaces surfacesAtRest(const field::Field& meadow)
     return surfacesOf(view, restingPoses(view), {});
 }
 
+// [m²] of all blades, one side.
+double areaOf(const Surfaces& surfaces)
+{
+    double area = 0.0;
+    for (const glm::uvec4& quad : surfaces.quads) {
+        const glm::vec3 a = surfaces.points[quad.z] - surfaces.points[quad.x];
+        const glm::vec3 b = surfaces.points[quad.w] - surfaces.points[quad.y];
+        area += 0.5 * double(glm::length(glm::cross(a, b)));
+    }
+    return area;
+}
+
 TEST(Surfaces, HaveAStripForEachBladeInTheColoursOfTheRenderer)
 {
     const field::Field meadow = test::makeField({.blades = 300});
@@ -56,12 +68,6 @@ TEST(Surfaces, StripsHaveTheAreaOfTheirOutlines)
         look.shape = shape;
         look.fold = 0.0f;
         const Surfaces surfaces = surfacesAtRest(meadow);
-        double area = 0.0;
-        for (const glm::uvec4& quad : surfaces.quads) {
-            const glm::vec3 a = surfaces.points[quad.z] - surfaces.points[quad.x];
-            const glm::vec3 b = surfaces.points[quad.w] - surfaces.points[quad.y];
-            area += 0.5 * double(glm::length(glm::cross(a, b)));
-        }
         double wanted = 0.0;
         for (const shared::Patch& cell : meadow.patches)
             for (std::uint32_t i = 0; i < cell.bladeCount; ++i) {
@@ -71,8 +77,26 @@ TEST(Surfaces, StripsHaveTheAreaOfTheirOutlines)
                                  shared::outlineArea(look.shape, look.tipThreshold));
             }
         // The parameter of a curve is not its length: the halves of a bent blade differ.
-        EXPECT_NEAR(area / wanted, 1.0, 0.08) << shape;
+        EXPECT_NEAR(areaOf(surfaces) / wanted, 1.0, 0.08) << shape;
     }
+}
+
+TEST(Surfaces, FarBladesHaveFewerQuadsAndTheSameArea)
+{
+    const field::Field meadow = test::makeField({.blades = 200});
+    const field::FieldView view = field::viewOf(meadow);
+    const std::vector<BladePose> poses = restingPoses(view);
+    const auto seenFrom = [&](float distance) {
+        return surfacesOf(view, poses,
+                          {.seen = Seen{.eye = {0.0f, distance, 0.0f}, .pixel = 0.001f}});
+    };
+    const Surfaces whole = surfacesOf(view, poses, {});
+    const Surfaces near = seenFrom(0.0f);
+    const Surfaces far = seenFrom(300.0f);
+    EXPECT_EQ(near.quads.size(), whole.quads.size());
+    EXPECT_LT(2 * far.quads.size(), whole.quads.size());
+    EXPECT_NEAR(areaOf(far) / areaOf(whole), 1.0, 0.03);
+    EXPECT_EQ(groundOf(view).groundTriangles.size(), whole.groundTriangles.size());
 }
 
 TEST(Surfaces, RayAcrossABladeFindsItsPlace)

@@ -45,7 +45,8 @@ struct TraceOptions {
     /// one, as in the viewer, unless --sun says where.
     trace::Light lightOver(const field::FieldView& view) const;
 
-    /// The camera. Throws Error{usage}; Error{io} or Error{input} if its file cannot be read.
+    /// The camera; `scene` has the ground. Throws Error{usage}; Error{io} or Error{input} if its
+    /// file cannot be read.
     trace::Camera cameraOf(const field::FieldView& view, const trace::RayScene& scene,
                            const trace::Light& over) const;
 
