@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <span>
 
@@ -17,6 +18,7 @@ void heightmapImport(Bytes bytes); ///< the first bytes choose format, size and 
 void mask(Bytes bytes);            ///< the first bytes choose: an image and a channel, or words
 void meadow(Bytes bytes);          ///< a meadow file
 void meshImport(Bytes bytes);      ///< the first byte chooses among OBJ, PLY, STL and OFF
+void poses(Bytes bytes);           ///< a dump of the blades of a field of posesBlades
 void recipe(Bytes bytes);          ///< a terrain recipe
 void settings(Bytes bytes);        ///< a settings file of the viewer
 void strokes(Bytes bytes);         ///< a file of painted strokes
@@ -24,6 +26,9 @@ void tileFiles(Bytes bytes);       ///< the first byte chooses: part, tile, imag
 
 /// Id of the plan that the files of tileFiles() belong to.
 inline constexpr const char* tileFilesId = "fuzz";
+
+/// Number of blades of the field that poses() reads dumps of.
+inline constexpr std::size_t posesBlades = 24;
 
 /// A corpus in tests/fuzz/corpus and the function for it.
 struct Entry {
@@ -41,6 +46,7 @@ inline constexpr Entry entries[] = {
     {"mask", mask, false},
     {"meadow", meadow, true},
     {"mesh_import", meshImport, true},
+    {"poses", poses, true},
     {"recipe", recipe, false},
     {"settings", settings, true},
     {"strokes", strokes, true},

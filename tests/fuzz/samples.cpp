@@ -11,6 +11,7 @@
 #include "support/fields/fields.h"
 #include "terrain/load.h"
 #include "terrain/recipe.h"
+#include "trace/blade_poses.h"
 #include "unit/terrain/gltf/compressed_glb.h"
 #include "unit/terrain/image_files.h"
 #include "unit/terrain/mesh_files/mesh_text.h"
@@ -184,6 +185,23 @@ void addStrokes(std::vector<Sample>& all)
     all.push_back({"strokes", "dab.json", bake::toJson(strokes)});
 }
 
+// Blades at rest as `sward-view render --dump-blades` writes them.
+void addPoses(std::vector<Sample>& all)
+{
+    const field::Field field = test::makeField({.blades = posesBlades});
+    const field::FieldView view = field::viewOf(field);
+    const std::vector<trace::BladePose> poses = trace::restingPoses(view);
+    std::string text = "id,x,y,z,v1x,v1y,v1z,v2x,v2y,v2z,ux,uy,uz,eta,lod_width,cull_result\n";
+    for (std::size_t i = 0; i < poses.size(); ++i) {
+        text += std::to_string(view.idOf(i));
+        for (const glm::vec3& v : {poses[i].v0, poses[i].v1, poses[i].v2})
+            text +=
+                "," + std::to_string(v.x) + "," + std::to_string(v.y) + "," + std::to_string(v.z);
+        text += ",0,1,0,0,1,drawn\n";
+    }
+    all.push_back({"poses", "rest.csv", text});
+}
+
 void addSettings(std::vector<Sample>& all)
 {
     render::FrameSettings settings;
@@ -317,6 +335,7 @@ std::vector<Sample> samples()
     addMeshes(all);
     addHeightmaps(all);
     addTexts(all);
+    addPoses(all);
     addStrokes(all);
     addSettings(all);
     addFields(all);
