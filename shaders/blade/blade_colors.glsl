@@ -48,7 +48,7 @@ BladeSurface bladeSurface(DrawnBlade drawn, VisibleBlade visible, LeafAreaLimit 
                               dot(drawn.ribbon.v2 - blade.root, blade.up));
     surface.material = vec4(packedLook(vec3(blade.exposure, species.translucency, species.gloss)),
                             leavesAround(FRAME.cover, leafArea),
-                            packedHeights(heightStepsPerMetre(FRAME.cover, grass) * heights), 0.0);
+                            packedHeights(heightStepsPerMetre(FRAME.cover, grass) / heightFactorOf(visible) * heights), 0.0);
     return limit.light < 1.0 ? liftedSurface(surface, limit.light) : surface;
 }
 

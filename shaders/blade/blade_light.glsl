@@ -19,11 +19,10 @@ struct BladePoint {
     float leafAbove; ///< leaf area above it …
     float leafBelow; ///< … and below
     uint seed;      ///< of the blade
-    float flecks;   ///< length of the blade in fleckLength()
+    float flecks;   ///< fleckCount() of the blade
 };
 
-/// Normal of the visible side, rounded across the blade. Leans to the up-vector where a blade is too small to show its
-/// own normal, so that far grass shines evenly instead of sparkling.
+/// Normal of the visible side, rounded across a blade that is large enough to show it.
 vec3 bladeNormal(BladePoint point, vec3 toEye, float distance)
 {
     const vec3 flat_ = cross(point.tangent, point.axis);
@@ -34,8 +33,7 @@ vec3 bladeNormal(BladePoint point, vec3 toEye, float distance)
         n += (point.fold * sign(point.place.x)) * point.axis;
     n *= dot(n, toEye) < 0.0 ? -1.0 : 1.0;
     const float smallness = smoothstep(4.0, 60.0, distance * 1000.0 / FRAME.view.pixelsPerUnit);
-    n = normalize(n + (0.55 * (1.0 - point.fold) * (1.0 - smallness) * point.place.x) * point.axis);
-    return normalize(mix(n, point.up, 0.35 * smallness));
+    return normalize(n + (0.55 * (1.0 - point.fold) * (1.0 - smallness) * point.place.x) * point.axis);
 }
 
 /// Scattering of light from one direction towards the eye.
@@ -51,7 +49,7 @@ Scattering scatteringOf(vec3 source, vec3 n, vec3 toEye, vec3 tangent)
 {
     Scattering scattering;
     scattering.facing = dot(n, source);
-    scattering.diffuse = max((scattering.facing + 0.1) / 1.21, 0.0);
+    scattering.diffuse = max((scattering.facing + 0.15) / 1.3225, 0.0);
     scattering.through = throughShare * max(-scattering.facing, 0.0);
     // A source exactly behind the blade has no direction halfway.
     const vec3 sum = source + toEye;

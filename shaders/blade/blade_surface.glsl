@@ -38,10 +38,16 @@ float leafAreaAbove(vec4 material, float along)
     return material.y * leafShareAbove(FRAME.cover, height);
 }
 
-/// Length of a fleck of sun or of shade along a blade [m]: an eleventh of the grass's height.
+/// Length of a fleck of sun or of shade along a blade [m].
 float fleckLength()
 {
     return 1.5 / max(FRAME.cover.stepsPerMetre, 1e-6);
+}
+
+/// Flecks of sun or of shade along a blade of this length [m]: each is about an eleventh of the grass's height.
+float fleckCount(float length_)
+{
+    return clamp(floor(length_ / fleckLength() + 0.5), 1.0, 255.0);
 }
 
 #endif

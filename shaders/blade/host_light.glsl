@@ -52,6 +52,13 @@ vec3 ambientTowards(vec3 n)
     return vec3(ambientLight(HOST.ambient[0], n), ambientLight(HOST.ambient[1], n), ambientLight(HOST.ambient[2], n));
 }
 
+/// The same among leaves that leave `open.x` of the light from above, and `open.y` of that from below.
+vec3 ambientAmong(vec3 n, vec2 open)
+{
+    return open.x * ambientTowards(n) +
+           (open.y - open.x) * (0.5 - 0.5 * dot(n, FRAME.skyUp)) * ambientTowards(-FRAME.skyUp);
+}
+
 Incoming incomingAt(vec3 position, vec3 up, vec3 n, vec2 open)
 {
     if (!hasHostLight)
@@ -63,7 +70,7 @@ Incoming incomingAt(vec3 position, vec3 up, vec3 n, vec2 open)
         return incoming;
     }
     // The zenith is darker than the mean sky: see hemisphere().
-    return Incoming(open.x * ambientTowards(n), open.x * ambientTowards(-n), HOST.above, HOST.above / 1.25, sun);
+    return Incoming(ambientAmong(n, open), ambientAmong(-n, open), HOST.above, HOST.above / 1.25, sun);
 }
 
 /// Light of all lamps on a point, scattered as the sun's is. Nothing but leaves around the blade is in its way.

@@ -90,7 +90,7 @@ vec3 hemisphere(vec3 n)
 }
 
 /// Share of the light from a leaf that meets another one.
-const float passedAgain = 0.7;
+const float passedAgain = 0.5;
 
 /// Light of sun and sky that leaves around a place pass on to it, both sides of a leaf together. The place is below
 /// `leafArea` of leaves; `below`: 1 if there are leaves below it as well, 0 on the ground. `sun` is at `cosine` to the

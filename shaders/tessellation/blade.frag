@@ -43,7 +43,7 @@ BladePoint pointOf(BladeVaryings varyings)
     point.leafAbove = leafAreaAbove(vec4(0.0, shade.x, float(varyings.bend.y & 0xffffffu), 0.0), clamp(inPlace.y, 0.0, 1.0));
     point.leafBelow = max(shade.x - point.leafAbove, 0.0);
     point.seed = inSeed;
-    point.flecks = float(varyings.bend.y >> 24u) / 8.0;
+    point.flecks = float(varyings.bend.y >> 24u);
     return point;
 }
 

@@ -41,9 +41,8 @@ BladeVaryings varyingsOf(Ribbon ribbon, BladeSurface surface)
               packHalf2x16(surface.tip.gb), packUnorm4x8(vec4(unpackedLook(surface.material.x), surface.root.w)));
     varyings.frame = uvec4(packHalf2x16(vec2(surface.material.y, surface.tip.w)), encodeWideOctahedral(ribbon.axis),
                          encodeWideOctahedral(lower), packHalf2x16(vec2(ribbon.fold, bend)));
-    const float flecks = size * (1.0 + bend) / fleckLength();
     varyings.bend = uvec2(encodeWideOctahedral(upper / bend),
-                          uint(surface.material.z) | (uint(min(8.0 * flecks, 255.0)) << 24u));
+                          uint(surface.material.z) | (uint(fleckCount(size * (1.0 + bend))) << 24u));
     return varyings;
 }
 

@@ -6,7 +6,7 @@
 struct BladeVaryings {
     uvec4 surface; ///< colours in halves; open sky, translucency, gloss and the sun at the root in bytes
     uvec4 frame;   ///< leaf area and the sun at the tip; axis; up-vector; fold and bend
-    uvec2 bend;    ///< direction from v1 to v2; packedHeights() as 24 bits, and eighths of flecks along it
+    uvec2 bend;    ///< direction from v1 to v2; packedHeights() as 24 bits, and the number of flecks along it
 };
 
 #endif

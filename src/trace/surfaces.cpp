@@ -158,9 +158,9 @@ Surfaces surfacesOf(const field::FieldView& field, const std::vector<BladePose>&
     Surfaces surfaces;
     // What grows around a blade or place colours it.
     field::LeafAreaGrid grid = field::leafAreaOf(field);
-    surfaces.leafArea = std::move(grid.values);
+    surfaces.grass = std::move(grid.values);
     surfaces.cover = grid.shape;
-    surfaces.cover.leafArea.at = surfaces.leafArea.data();
+    surfaces.cover.grass.at = surfaces.grass.data();
     field::describeUndergrowth(field, surfaces.cover);
     surfaces.cover.thatch = settings.thatch;
     surfaces.cover.farthest = std::numeric_limits<float>::max();

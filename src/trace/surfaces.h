@@ -57,7 +57,7 @@ struct Surfaces {
     std::vector<shared::GroundMaterial> materials; ///< as DisplayGround::materials
     std::vector<field::Image> images;              ///< as DisplayGround::images
     shared::Cover cover = {};                      ///< undergrowth on the ground …
-    std::vector<float> leafArea;                   ///< … with its table
+    std::vector<std::uint32_t> grass;                   ///< … with its table
 };
 
 /// From where a picture is taken. Outline and curve of a blade may stray by pixelShare of a pixel,

@@ -24,6 +24,9 @@ constexpr float minGround = 0.02f;
 /// Maximum size of pieces of ground, as a share of a cell.
 constexpr float pieceSize = 0.5f;
 
+/// Mean heights of clumps differ by this factor from the field's.
+constexpr float clumpSpread = 1.35f;
+
 /// Maximum blades whose colours are averaged.
 constexpr std::size_t colorSamples = 100'000;
 
@@ -173,7 +176,10 @@ std::uint32_t grassOf(float leaves, float heights, float ground, float meanHeigh
 {
     if (!(leaves > 0.0f))
         return 0;
-    const float relative = meanHeight > 0.0f ? heights / leaves / meanHeight : 1.0f;
+    float relative = meanHeight > 0.0f ? heights / leaves / meanHeight : 1.0f;
+    // Clumps shade one another: only where all of the grass is lower or higher does that count.
+    relative = relative < 1.0f ? std::min(relative * clumpSpread, 1.0f)
+                               : std::max(relative / clumpSpread, 1.0f);
     // Halves hold 65 504.
     return shared::packGrass(std::min(leaves / ground, 1000.0f), std::min(relative, 60.0f));
 }

@@ -34,7 +34,7 @@ struct LeafAreaGrid {
 LeafAreaGrid leafAreaOf(const FieldView& field);
 
 /// shared::packGrass() of a corner: [m²] of leaves there, that times the height [m] of their
-/// blades, and [m²] of ground.
+/// blades, and [m²] of ground. Heights within a third of the field's mean count as the mean.
 std::uint32_t grassOf(float leaves, float heights, float ground, float meanHeight);
 
 /// Its grid, also for a field without blades.

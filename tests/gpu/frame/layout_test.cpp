@@ -84,8 +84,9 @@ public:
     void fill(shared::UpdateRate& p) { fillAll(p.everyFrame, p.everyThird, p.longest, p.frame); }
     void fill(shared::Cover& c)
     {
-        fillAll(c.leafArea.address, c.low, c.cellsPerMetre, c.countX, c.countY, c.countZ,
-                c.farthest, c.undergrowth, c.thatch, c.sward, c.thinned, c.structure, c.reserved);
+        fillAll(c.grass.address, c.low, c.cellsPerMetre, c.countX, c.countY, c.countZ,
+                c.farthest, c.undergrowth, c.thatch, c.sward, c.thinned, c.structure,
+                c.stepsPerMetre, c.leaves);
     }
     void fill(shared::SunShadow& s)
     {

@@ -105,7 +105,7 @@ void put(uvec2 reference)
 
 void put(Cover cover)
 {
-    put(uvec2(cover.leafArea));
+    put(uvec2(cover.grass));
     put(cover.low);
     put(cover.cellsPerMetre);
     put(cover.countX);
@@ -117,7 +117,9 @@ void put(Cover cover)
     put(cover.sward);
     put(cover.thinned);
     put(cover.structure);
-    put(cover.reserved);
+    put(cover.stepsPerMetre);
+    for (uint i = 0u; i < heightSteps / 2u; ++i)
+        put(cover.leaves[i]);
 }
 
 void put(SunShadow shadow)

@@ -65,6 +65,5 @@ void putFrame()
     put(FRAME.shadow);
     put(FRAME.fogFalloff);
     put(FRAME.lowSun);
-    for (int i = 0; i < FRAME.reserved.length(); ++i)
-        put(FRAME.reserved[i]);
+    put(FRAME.reserved);
 }

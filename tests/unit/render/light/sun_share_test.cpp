@@ -122,7 +122,7 @@ double meanOf(const std::vector<SeenPlace>& places, const Formula& formula)
     return sum / static_cast<double>(places.size());
 }
 
-/// Leaf area above a place by its place on its own blade: what the shaders have.
+/// Leaf area above a place as the shaders have it: by its height, from a curve of 16 steps.
 double leafAreaOfShader(const SeenPlace& place)
 {
     return place.leafArea * place.shaderShare;
@@ -134,12 +134,12 @@ double leafAreaByHeight(const SeenPlace& place)
     return place.leafArea * place.shareAbove;
 }
 
-/// The sun's share by the shaders' formula.
-Formula sunOfShader(double cosine)
+/// The sun's share by the shaders' formula, with their `projection` of the meadow's leaves.
+Formula sunOfShader(float projection, double cosine)
 {
-    return [cosine](const SeenPlace& place) {
-        return static_cast<double>(shared::sunBelow(static_cast<float>(leafAreaOfShader(place)),
-                                                    static_cast<float>(cosine)));
+    return [=](const SeenPlace& place) {
+        return static_cast<double>(shared::sunBelow(
+            projection, static_cast<float>(leafAreaOfShader(place)), static_cast<float>(cosine)));
     };
 }
 
@@ -159,8 +159,6 @@ struct Meadow {
     double overhead; ///< projection of its blades for a sun at the zenith …
     double level;    ///< … and at the horizon
     double sky;      ///< extinction of the sky's light on the side that is seen
-    /// For each view and sun the share of the sun by the shaders' formula relative to that by rays.
-    std::array<std::array<double, 3>, 3> today;
 };
 
 /// Mean |normal · sun| of the meadow's blades, as of blades that stand and blades that lie.
@@ -218,12 +216,12 @@ std::string rule(int columns)
 
 constexpr std::array extinctions{0.40, 0.46, 0.50, 0.55};
 
-void printSun(const Meadow& meadow, const std::string& view, const Sun& sun,
+void printSun(const Meadow& meadow, float projection, const std::string& view, const Sun& sun,
               const std::vector<SeenPlace>& places, const SunTruth& truth)
 {
     const double cosine = sun.direction().y;
     const Shares& real = truth.shares;
-    const Shares now = sharesOf(places, sunOfShader(cosine));
+    const Shares now = sharesOf(places, sunOfShader(projection, cosine));
     std::vector<double> flecks(places.size());
     const Formula chance = sunByProjection(meadow, cosine);
     for (std::size_t i = 0; i < places.size(); ++i)
@@ -244,30 +242,9 @@ void printSun(const Meadow& meadow, const std::string& view, const Sun& sun,
 }
 
 /// Built-in meadows at blade scale 1.
-const std::array meadows{Meadow{"grass",
-                                800.0,
-                                0.30,
-                                0.58,
-                                1.2,
-                                {{{0.82, 0.74, 0.73}, {0.83, 0.80, 0.69}, {0.90, 0.94, 1.06}}}},
-                         Meadow{"grass",
-                                2400.0,
-                                0.30,
-                                0.58,
-                                1.2,
-                                {{{0.62, 0.46, 0.42}, {0.67, 0.48, 0.38}, {0.75, 0.73, 0.75}}}},
-                         Meadow{"lawn",
-                                4000.0,
-                                0.11,
-                                0.62,
-                                1.5,
-                                {{{0.86, 0.95, 0.96}, {0.88, 0.88, 0.89}, {0.88, 1.02, 1.06}}}},
-                         Meadow{"hay",
-                                1600.0,
-                                0.32,
-                                0.58,
-                                1.2,
-                                {{{0.70, 0.55, 0.50}, {0.70, 0.52, 0.40}, {0.79, 0.75, 0.80}}}}};
+const std::array meadows{
+    Meadow{"grass", 800.0, 0.30, 0.58, 1.2}, Meadow{"grass", 2400.0, 0.30, 0.58, 1.2},
+    Meadow{"lawn", 4000.0, 0.11, 0.62, 1.5}, Meadow{"hay", 1600.0, 0.32, 0.58, 1.2}};
 
 /// The meadow's rays, made once.
 const TracedMeadow& traced(const Meadow& meadow)
@@ -282,7 +259,7 @@ const TracedMeadow& traced(const Meadow& meadow)
 
 class SunShare : public testing::TestWithParam<Meadow> {};
 
-TEST_P(SunShare, IsDarkerThanTheTruthByAKnownFactorAndRightByHeight)
+TEST_P(SunShare, IsThatOfRays)
 {
     const TracedMeadow& meadow = traced(GetParam());
     fmt::print("\n{}, {:.0f} blades per m², leaf area index {:.2f}\n\n"
@@ -296,14 +273,15 @@ TEST_P(SunShare, IsDarkerThanTheTruthByAKnownFactorAndRightByHeight)
         for (std::size_t s = 0; s < suns.size(); ++s) {
             const double cosine = suns[s].direction().y;
             const SunTruth truth = sunTruth(meadow, places, suns[s]);
-            printSun(GetParam(), views[v].name, suns[s], places, truth);
+            printSun(GetParam(), meadow.shaderProjection(), views[v].name, suns[s], places, truth);
             const std::string name = views[v].name + ", " + suns[s].name;
 
-            // The shaders take the leaf area above a place from its place on its own blade.
-            EXPECT_NEAR(sharesOf(places, sunOfShader(cosine)).mean / truth.shares.mean,
-                        GetParam().today[v][s], 0.04)
+            // Tall leaves stand in clumps, between which a flat sun shines: see "graze".
+            const double flat = v == 1 && s > 0 ? 0.12 : 0.09;
+            EXPECT_NEAR(sharesOf(places, sunOfShader(meadow.shaderProjection(), cosine)).mean,
+                        truth.shares.mean, flat)
                 << name;
-            // By height over the ground and the projection of the blades it is right.
+            // With the meadow's own curve and the projection of the blades.
             EXPECT_NEAR(sharesOf(places, sunByProjection(GetParam(), cosine)).mean,
                         truth.shares.mean, 0.05)
                 << name;
@@ -318,6 +296,12 @@ TEST_P(SunShare, NeedsTheProjectionOfTheBladesAsExtinction)
         for (const double azimuth : {0.0, 90.0, 210.0}) {
             const glm::dvec3 sun = Sun{"", azimuth, elevation}.direction();
             EXPECT_NEAR(meadow.projection(sun), projectionFit(GetParam(), sun.y), 0.02)
+                << elevation << "°";
+            // The shaders know one number of it.
+            EXPECT_NEAR(
+                meadow.projection(sun),
+                shared::leafProjectionAlong(meadow.shaderProjection(), static_cast<float>(sun.y)),
+                0.03)
                 << elevation << "°";
         }
 }
@@ -365,6 +349,7 @@ TEST_P(SunShare, OfTheSkyFallsWithLeafAreaByHeight)
         fmt::print("| {} | {:.3f} | {:.3f} | {:.3f} | {:.2f} | {:.2f} |\n", view.name, seen, other,
                    sky(1.0, shader), c, both);
         EXPECT_NEAR(sky(1.0, byHeight(GetParam().sky)), seen, 0.025) << view.name;
+        EXPECT_NEAR(sky(1.0, shader), seen, 0.08) << view.name;
     }
 }
 

@@ -52,6 +52,9 @@ public:
     /// Whether no blade and no ground lies between a place and the sky in a unit direction.
     bool seesSky(const glm::dvec3& place, const glm::dvec3& direction) const;
 
+    /// leafProjectionOf() its cover.
+    float shaderProjection() const { return shared::leafProjectionOf(grid_.shape); }
+
     double leafAreaIndex() const { return leafArea_; }   ///< m² of blade per m² of ground
     double topHeight() const { return heights_.back(); } ///< [m] of the highest place
 
