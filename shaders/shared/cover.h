@@ -134,12 +134,10 @@ SHARED_FN float swardBrightness(float cosine)
 }
 
 /// Leaf area that shades a blade of a thinned meadow, from that of the blades. Eyes see deeper into
-/// fewer blades, and would meet too much light there. Measured with 7 to 70 % of the leaf area: the
-/// built-in meadow is as bright as the whole one within 1 % seen flat, 6 % at 22°, 17 % from above;
-/// steppe within 7 %, lawn within 13 % seen flat.
+/// fewer blades, where less light is left. Fitted with a tenth of the leaf area.
 SHARED_FN float leavesAround(Cover cover, float leafArea)
 {
-    return leafArea * min(sqrt(cover.thinned), 1.7f);
+    return leafArea * max(pow(cover.thinned, -0.2f), 0.6f);
 }
 
 /// The share of a blade's height, from the tip down, that contains this share of its leaf area:

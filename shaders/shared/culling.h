@@ -159,10 +159,10 @@ SHARED_FN float heightCompensation(float share, float one, float spread)
 /// Factor on the leaf area above a place of a blade if `share` of the blades is drawn. For straight
 /// blades of one height it would be the share itself; if some are lower, a deeper ray sees their
 /// tips. `spread`: as for heightCompensation(). Fitted to plains, where no 32 x 32 pixels differ in
-/// brightness by more than 2.3 of 255.
+/// brightness by more than 2.75 of 255.
 SHARED_FN float leafAreaLight(float share, float spread)
 {
-    return share >= 1.0f ? 1.0f : pow(share, 1.0f / (1.3f + 1.7f * spread));
+    return share >= 1.0f ? 1.0f : pow(share, 1.0f / (1.0f + 0.8f * spread));
 }
 
 SHARED_END
