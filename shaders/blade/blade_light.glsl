@@ -104,9 +104,8 @@ float fleckOf(BladePoint point, float mean, float distance)
     const float seen = smoothstep(1.0, 4.0, pixels);
     if (seen <= 0.0)
         return mean;
-    // Edges of shadows run across a blade at any angle, and begin anywhere.
-    const float turn = float(point.seed & 255u) * (1.0 / 128.0) - 1.0;
-    const float at = point.place.y * point.flecks + 0.6 * turn * point.place.x + 2.0 + turn;
+    // They begin anywhere.
+    const float at = point.place.y * point.flecks + float(point.seed & 255u) * (1.0 / 256.0);
     const uint key = point.seed + uint(at) * 0x9e3779b9u;
     const float fleck = mix(fleckAt(key, mean), fleckAt(key + 0x9e3779b9u, mean), smoothstep(0.25, 0.75, fract(at)));
     return mix(mean, fleck, seen);
