@@ -40,7 +40,7 @@ vec3 bladeNormal(BladePoint point, vec3 toEye, float distance)
 struct Scattering {
     float facing;  ///< cosine between the normal and the direction to the source
     float diffuse; ///< wrapped a little around the blade's edge and normalised to the same total light
-    float through; ///< through the blade
+    float through; ///< on the other side, to go through the blade
     float shine;   ///< soft gloss: a strand shines along its tangent (Kajiya & Kay 1989)
 };
 
@@ -50,12 +50,18 @@ Scattering scatteringOf(vec3 source, vec3 n, vec3 toEye, vec3 tangent)
     Scattering scattering;
     scattering.facing = dot(n, source);
     scattering.diffuse = max((scattering.facing + 0.15) / 1.3225, 0.0);
-    scattering.through = throughShare * max(-scattering.facing, 0.0);
+    scattering.through = max(-scattering.facing, 0.0);
     // A source exactly behind the blade has no direction halfway.
     const vec3 sum = source + toEye;
     const float strand = dot(tangent, sum * inversesqrt(max(dot(sum, sum), 1e-12)));
     scattering.shine = pow(max(1.0 - strand * strand, 0.0), 18.0);
     return scattering;
+}
+
+/// Light that a blade lets through, relative to what it reflects.
+vec3 throughBlade(float translucency)
+{
+    return throughShare * translucency * throughTint;
 }
 
 /// Light that reaches a point. Its neighbours shade the first two, not yet the others.
@@ -140,13 +146,12 @@ vec3 bladePicture(BladePoint point)
     const float sunlit = openSky * risen * fleckOf(point, sunBelow(leafProjectionOf(FRAME.cover), leafArea, upright), distance);
 
     // Light from sky and ground, on this side and through the blade, and what leaves around pass on.
-    const vec2 open = openSky * vec2(skyBelow(leafArea), skyBelow(point.leafBelow));
-    const Incoming incoming = incomingAt(point.position, point.up, n, open);
-    const vec3 through = throughTint * translucency;
-    const vec3 leaf = albedo * (1.0 + throughShare * through);
-    vec3 light = incoming.around + throughShare * through * incoming.behind +
-                 openSky * (1.0 + throughShare * through) *
-                     lightAmongLeaves(leafArea, 1.0 - skyBelow(point.leafBelow), upright, risen * incoming.sun, incoming.above, leaf);
+    const float openBelow = skyBelow(point.leafBelow);
+    const Incoming incoming = incomingAt(point.position, point.up, n, openSky * vec2(skyBelow(leafArea), openBelow));
+    const vec3 through = throughBlade(translucency);
+    vec3 light = incoming.around + through * incoming.behind +
+                 openSky * (1.0 + through) * lightAmongLeaves(leafArea, 1.0 - openBelow, upright, risen * incoming.sun,
+                                                              incoming.above, albedo * (1.0 + through));
     // Sun: diffuse, through the blade, and gloss in the upper half.
     const Scattering scattering = scatteringOf(sun, n, toEye, point.tangent);
     light += incoming.sun * (sunlit * (scattering.diffuse + through * scattering.through));

@@ -24,7 +24,7 @@ vec3 unpackedLook(float packed)
     return vec3(uvec3(bits >> 16u, bits >> 8u, bits) & 255u) / 255.0;
 }
 
-/// Heights of v0, v1 and v2 above the ground in steps of Cover::leafAbove, as one number: within 1/32 of a step.
+/// Heights of v0, v1 and v2 above the ground in steps of Cover::stepsPerMetre, as one number: within 1/32 of a step.
 float packedHeights(vec3 steps)
 {
     return packedLook(steps / float(heightSteps));

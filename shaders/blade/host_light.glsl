@@ -77,6 +77,8 @@ Incoming incomingAt(vec3 position, vec3 up, vec3 n, vec2 open)
 vec3 lampLight(BladePoint point, vec3 n, vec3 toEye, vec3 albedo, float leafArea)
 {
     const float openSky = point.look.x;
+    const vec3 through = throughBlade(point.look.y);
+    const float leavesBelow = 1.0 - skyBelow(point.leafBelow);
     vec3 sum = vec3(0.0);
     for (uint i = 0u; i < HOST.lampCount; ++i) {
         const Lamp lamp = HOST.lamps[i];
@@ -88,11 +90,9 @@ vec3 lampLight(BladePoint point, vec3 n, vec3 toEye, vec3 albedo, float leafArea
         const float upright = dot(point.up, source);
         const float seen = openSky * sunBelow(leafProjectionOf(FRAME.cover), leafArea, upright);
         const Scattering scattering = scatteringOf(source, n, toEye, point.tangent);
-        const vec3 through = throughTint * point.look.y;
         sum += albedo * color * (seen * (scattering.diffuse + through * scattering.through));
-        sum += albedo * (openSky * (1.0 + throughShare * through) *
-                         lightAmongLeaves(leafArea, 1.0 - skyBelow(point.leafBelow), upright, color, vec3(0.0),
-                                          albedo * (1.0 + throughShare * through)));
+        sum += albedo * (openSky * (1.0 + through)) *
+               lightAmongLeaves(leafArea, leavesBelow, upright, color, vec3(0.0), albedo * (1.0 + through));
         sum += color * (point.look.z * seen * point.place.y * max(scattering.facing + 0.2, 0.0) * scattering.shine * 0.25);
     }
     return sum;

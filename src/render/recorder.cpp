@@ -113,7 +113,7 @@ void Recorder::begin(std::uint32_t slotNumber, const GrassFrame& wanted,
     beginViews(wanted);
     const auto views = static_cast<std::uint32_t>(wanted.views.size());
     for (auto& [id, instance] : placed) {
-        if (std::ranges::find(uploaded_, instance.field.get()) == uploaded_.end())
+        if (!instance.field->isUploaded())
             continue;
         if (!std::exchange(instance.isWritten, true))
             instance.placement.before = instance.placement.now;
@@ -129,8 +129,7 @@ void Recorder::begin(std::uint32_t slotNumber, const GrassFrame& wanted,
     raster.begin(shaders, slot, wanted.views, drawings, instances, wanted.settings);
     movesWithCull = views == 1;
     moving = movingLike(wanted);
-    for (const PlacedField* const field : uploaded_)
-        update.prepare(shaders, movingOf(*field));
+    forEach([&](const PlacedField& field) { update.prepare(shaders, movingOf(field)); });
     viewCount = views;
     hasBegun = true;
 }
@@ -139,7 +138,6 @@ void Recorder::begin(std::uint32_t slotNumber, const GrassFrame& wanted,
 void Recorder::beginInstances()
 {
     instances.clear();
-    uploaded_.clear();
     for (const auto& [id, instance] : placed) {
         PlacedField& field = *instance.field;
         if (!field.isUploaded())
@@ -149,7 +147,6 @@ void Recorder::beginInstances()
         // A layer's picture needs an instance, even if it is bare.
         if (field.blades().bladeCount() > 0 || extras.layer != nullptr)
             instances.push_back(&field);
-        uploaded_.push_back(&field);
     }
 }
 
@@ -160,6 +157,7 @@ ViewDrawing Recorder::drawingOf(const HostView& view, const FrameSettings& frame
         // The history is the picture's. Without the occlusion test hidden blades count as drawn;
         // the late pass drops them all the same, since this changes no picture.
         result.layer = extras.layer;
+        result.drawsAll = extras.drawsAll;
         result.hasTwoPasses = raster.drawsLargeByGroups() && !view.cullViewFrom && !extras.drawsAll;
         return result;
     }

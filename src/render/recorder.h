@@ -140,8 +140,6 @@ private:
     void recordLists(const gpu::Recording& commands, std::uint32_t view, std::uint32_t round,
                      bool listsAll, gpu::Timestamps* times) const;
     void recordCounts(const gpu::Recording& commands, std::uint32_t view) const;
-
-    std::vector<PlacedField*> uploaded_; ///< instances of the frame that is begun
 };
 
 /// How blades of a field are moved; `moving`: of any field.

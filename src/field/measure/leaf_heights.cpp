@@ -1,9 +1,8 @@
 #include "field/measure/leaf_heights.h"
 
+#include "field/measure/resting_blade.h"
 #include "field/organs.h"
-#include "shaders/shared/organ.h"
-#include "shaders/shared/physics.h"
-#include "shaders/shared/pose.h"
+#include "shaders/shared/bezier.h"
 #include "shaders/shared/shape.h"
 
 #include <glm/geometric.hpp>
@@ -24,24 +23,6 @@ constexpr float shareAboveTop = 0.001f;
 /// Pieces of a blade's area.
 constexpr std::size_t pieces = 12;
 
-/// Time in which a blade comes to rest [s].
-constexpr float longEnough = 1000.0f;
-
-/// Gravity, without wind.
-shared::Environment calmOf(const FieldView& field)
-{
-    const Defaults& defaults = *field.defaults;
-    shared::Environment calm = {};
-    const float size = glm::length(defaults.gravityDirection);
-    calm.gravity.direction = size > 0.0f ? defaults.gravityDirection / size : glm::vec3(0, -1, 0);
-    calm.gravity.strength = defaults.gravityStrength;
-    calm.gravity.attractor = glm::vec3(defaults.attractor - field.origin);
-    calm.gravity.blend = std::clamp(defaults.attractorBlend, 0.0f, 1.0f);
-    calm.gravity.forward = shared::forwardShare;
-    calm.recovery = defaults.recovery;
-    return calm;
-}
-
 /// Heights and areas of pieces of leaves, and the sum of blades' heights times areas.
 struct Leaves {
     std::vector<std::pair<float, float>> pieces;
@@ -53,12 +34,7 @@ struct Leaves {
 void addBlade(const FieldView& field, const shared::Environment& calm,
               const std::vector<shared::Organ>& organs, const shared::Blade& blade, Leaves& leaves)
 {
-    const shared::Species& look = field.species[blade.species].look;
-    const shared::BladeState rest = shared::advanceBlade(
-        blade, calm, {}, shared::stateOfTurn(glm::vec2(0.0f), 0.0f), 0.0f, longEnough);
-    shared::PosedBlade posed = shared::posedBlade(blade, rest);
-    if (const std::uint32_t number = shared::ribbonNumber(look, blade); number > 0)
-        posed = shared::ribbonOf(viewOf(organs), look, posed, number);
+    const shared::PosedBlade posed = restingBlade(field, viewOf(organs), calm, blade);
     const BladePart part = partOf(field.species[blade.species], blade);
     const float area =
         part.length * blade.width * shared::outlineArea(part.look->shape, part.look->tipThreshold);

@@ -13,6 +13,7 @@ struct ViewDrawing {
     std::uint32_t samples = 1;           ///< per pixel
     bool hasReversedZ = true;
     bool hasTwoPasses = false;          ///< an early and a late one
+    bool drawsAll = false;              ///< what InstanceConstants::Kind::listing lists
     const OpaqueLayer* layer = nullptr; ///< null: the host's depth
     bool isCulled = false;              ///< Grass::recordCull() has been called …
     bool isRastered = false;            ///< … and Grass::recordRaster()

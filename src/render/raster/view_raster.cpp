@@ -153,9 +153,8 @@ void ViewRaster::prepare(const HostView& view, const ViewDrawing& drawing, std::
                          View& out)
 {
     out.isRastered = true;
-    out.hasTwoPasses = drawing.hasTwoPasses;
-    out.layer = drawing.layer;
-    if (out.hasTwoPasses && !shadingCache_)
+    out.drawing = drawing;
+    if (drawing.hasTwoPasses && !shadingCache_)
         shadingCache_.emplace(*context_);
     if (!largeList_)
         largeList_ = std::make_shared<LargeBladeList>(*context_, settings_.groupsDrawLarge);
@@ -196,11 +195,11 @@ void ViewRaster::prepareShading(const gpu::ShaderLibrary& shaders, std::uint32_t
     out.pipelines = passes_.prepare(shaders, view,
                                     {.instances = variants,
                                      .settings = settings,
-                                     .hasTwoPasses = out.hasTwoPasses,
-                                     .hasLayer = out.layer != nullptr,
+                                     .hasTwoPasses = drawing.hasTwoPasses,
+                                     .hasLayer = drawing.layer != nullptr,
                                      .isLit = shadowMaps_->isLit(slotIndex, index),
                                      .stores = stores});
-    if (out.layer == nullptr)
+    if (drawing.layer == nullptr)
         out.lighting =
             passes_.lighting().prepare(slotIndex, index, view, stores, *out.pipelines.lighting);
 }
@@ -259,25 +258,29 @@ void ViewRaster::writeTable(Slot& slot, std::uint32_t slotIndex, std::span<const
         const std::size_t first = v * instances.size();
         view.push.instances = slot.table.address() + first * sizeof(shared::HostInstance);
         view.push.instanceCount = static_cast<std::uint32_t>(instances.size());
-        std::uint32_t id = view.layer != nullptr ? view.layer->firstBlade : firstId;
+        std::uint32_t id = view.drawing.layer != nullptr ? view.drawing.layer->firstBlade : firstId;
         for (std::uint32_t i = 0; i < instances.size(); ++i) {
             const PlacedField& field = *instances[i];
             const VkDeviceAddress frame = field.place(slotIndex, Kind::raster, v).address;
             shared::HostInstance entry = {};
             entry.raster.frame = frame;
-            entry.raster.cullView =
-                views[v].cullViewFrom ? field.place(slotIndex, Kind::culling, v).address : frame;
+            entry.raster.cullView = frame;
+            if (view.drawing.drawsAll)
+                entry.raster.cullView = field.place(slotIndex, Kind::listing, v).address;
+            else if (views[v].cullViewFrom)
+                entry.raster.cullView = field.place(slotIndex, Kind::culling, v).address;
             entry.raster.visibility = view.push.visibility;
             entry.raster.rounds = field.list(v).rounds().address();
             view.large->describe(entry.raster);
-            if (view.hasTwoPasses)
+            if (view.drawing.hasTwoPasses)
                 entry.raster.history = field.history(v).address();
             if (view.pipelines.cache != nullptr)
                 shadingCache_->describe(entry.raster);
             entry.raster.nonEmptyPatches = field.blades().nonEmptyPatches();
             entry.raster.firstNonEmptyPatches = field.blades().firstNonEmptyPatches();
             entry.raster.size = views[v].size;
-            entry.raster.isBgr = view.layer != nullptr && view.layer->isBgr ? 1u : 0u;
+            entry.raster.isBgr =
+                view.drawing.layer != nullptr && view.drawing.layer->isBgr ? 1u : 0u;
             entry.raster.firstBlade = id;
             entry.raster.instance = i;
             entry.motion = field.motion(slotIndex, v);
@@ -329,9 +332,9 @@ void ViewRaster::recordLayer(const gpu::Recording& commands, std::uint32_t slotI
                                        0);
         view.large->clear(commands);
         clearedFor_ = viewIndex;
-        view.layer->clear(commands);
+        view.drawing.layer->clear(commands);
         gpu::memoryBarrier(commands, gpu::fillAccess, gpu::dispatchAccess);
-        view.layer->draw(commands, view.pictures.visibility->address());
+        view.drawing.layer->draw(commands, view.pictures.visibility->address());
         gpu::computeToCompute(commands);
     }
     if (!fillsPyramid || view.instances.empty())
@@ -367,12 +370,12 @@ void ViewRaster::record(const gpu::Recording& commands, std::uint32_t slotIndex,
         RasterRounds{.context = *context_,
                      .pass = passes_.raster(),
                      .view = rastered,
-                     .hasTwoPasses = view.hasTwoPasses,
+                     .hasTwoPasses = view.drawing.hasTwoPasses,
                      .shadingCache = view.pipelines.cache,
                      .rounds = rounds.count,
                      .list = rounds.list}
             .record(commands, timestamps);
-        if (view.layer == nullptr) {
+        if (view.drawing.layer == nullptr) {
             gpu::computeToCompute(commands);
             HostLighting::record(commands, view.lighting, isOfOne ? &first.frame : nullptr,
                                  view.push);

@@ -113,8 +113,7 @@ private:
     /// A view of the frame last begun in a slot.
     struct View {
         bool isRastered = false;
-        bool hasTwoPasses = false;
-        const OpaqueLayer* layer = nullptr;
+        ViewDrawing drawing;
         Pictures pictures;
         std::shared_ptr<LargeBladeList> large;
         ViewPasses::Pipelines pipelines;

@@ -271,9 +271,14 @@ void FieldRenderer::Parts::begin(const View& view, const FrameSettings& wanted, 
                        return instance;
                    });
     sunShadow.prepare(recorder.shaders);
+    if (extras.layer != nullptr)
+        resolve->prepare(recorder.shaders,
+                         {.debugMode = knownDebugMode(wanted.debug),
+                          .limitsLeafArea = testsOf(wanted).maxLeafArea > 0.0f,
+                          .hasShadingCache = recorder.drawings.front().hasTwoPasses});
 }
 
-/// Creates pipelines that a frame needs for the first time.
+/// Creates pipelines of the ground, and of the tessellator, that a frame needs for the first time.
 void FieldRenderer::Parts::prepare(const FrameSettings& wanted)
 {
     const gpu::ShaderLibrary& shaders = recorder.shaders;
@@ -282,11 +287,6 @@ void FieldRenderer::Parts::prepare(const FrameSettings& wanted)
     const bool paintsWind = wanted.debug == DebugMode::wind;
     if (geometry == Geometry::raster) {
         opaqueRaster->prepare(shaders, colliders, debugMode);
-        const bool findsHidden = recorder.raster.drawsLargeByGroups() && !wanted.cullingCamera &&
-                                 wanted.debug != DebugMode::reason;
-        resolve->prepare(shaders, {.debugMode = debugMode,
-                                   .limitsLeafArea = testsOf(wanted).maxLeafArea > 0.0f,
-                                   .hasShadingCache = findsHidden});
     } else {
         opaque->prepare(shaders, colliders, paintsWind);
         tessellated->prepare(shaders, paintsWind);

@@ -167,6 +167,44 @@ TEST_P(WaysOfDrawing, ShowTheSame)
     }
 }
 
+TEST_F(WaysTest, ShowTheSameReasons)
+{
+    // Level of detail leaves many blades out, and widens others: all are drawn as wide as they are.
+    const Scene scene{.name = "reasons", .ground = "hills", .blades = 20000, .bladeScale = 3.0};
+    const field::Field field = baked(scene);
+    const field::FieldView view = field::viewOf(field);
+    FrameSettings settings = FrameSettings::of(view);
+    settings.lodThreshold = 4.0f;
+    settings.debug = DebugMode::reason;
+    FrameSettings none = settings;
+    none.debug = DebugMode::none;
+    none.environment.drawDistance = 1e-3f;
+    const Camera camera = presetCamera(CameraPreset::fit, view, {0.0f, 1.0f, 0.0f},
+                                       float(scene.size.x) / float(scene.size.y));
+    test::Picture picture(context(), scene.size);
+    std::vector<std::byte> bare;
+    std::vector<std::byte> expected;
+    for (const Geometry geometry : {Geometry::tessellation, Geometry::raster}) {
+        FieldRenderer renderer(device(), view,
+                               {.samples = 1,
+                                .geometry = geometry,
+                                .rastersForCpu = false,
+                                .recordCullResults = true});
+        if (geometry == Geometry::tessellation) {
+            picture.draw(renderer, camera, none, 1.0);
+            bare = picture.pixels();
+        }
+        picture.draw(renderer, camera, settings, 1.0);
+        EXPECT_GT(renderer.stats().lod, 1000u);
+        if (geometry == Geometry::tessellation)
+            expected = picture.pixels();
+    }
+    const test::Likeness alike = test::likeness(picture.pixels(), expected, bare, scene.size);
+    EXPECT_GT(alike.grass, 0.02);
+    EXPECT_GE(alike.psnr, test::minPsnr);
+    EXPECT_LE(alike.worstTile, test::maxTileDifference);
+}
+
 std::string nameOf(const testing::TestParamInfo<Scene>& scene)
 {
     return scene.param.name;

@@ -3,6 +3,7 @@
 #include "bake/bake.h"
 #include "core/random.h"
 #include "field/measure/leaf_area.h"
+#include "field/measure/resting_blade.h"
 #include "shaders/shared/ribbon.h"
 #include "support/meshes.h"
 
@@ -18,31 +19,6 @@ namespace {
 constexpr std::uint32_t segments = 6;
 constexpr double farAway = 100.0; ///< [m] longer than any ray in a meadow
 constexpr double skin = 3e-4;     ///< [m] so that a place does not shade itself
-
-/// Gravity alone, as a field without settings has it.
-shared::Environment calmEnvironment(const field::Defaults& defaults)
-{
-    shared::Environment environment = {};
-    environment.gravity.direction = defaults.gravityDirection;
-    environment.gravity.strength = defaults.gravityStrength;
-    environment.gravity.forward = shared::forwardShare;
-    environment.recovery = defaults.recovery;
-    return environment;
-}
-
-/// A blade at rest, or the ribbon on its plant that it stands for.
-shared::PosedBlade restingBlade(const field::Field& field, const std::vector<shared::Organ>& organs,
-                                const shared::Blade& blade)
-{
-    constexpr float longEnough = 1000.0f; // [s] to come to rest
-    const shared::BladeState upright = shared::stateOfTurn(glm::vec2(0.0f), 0.0f);
-    const shared::BladeState rest =
-        shared::advanceBlade(blade, calmEnvironment(field.defaults), {}, upright, 0.0f, longEnough);
-    const shared::PosedBlade posed = shared::posedBlade(blade, rest);
-    const shared::Species& look = field.species[blade.species].look;
-    const std::uint32_t number = shared::ribbonNumber(look, blade);
-    return number > 0 ? shared::ribbonOf(field::viewOf(organs), look, posed, number) : posed;
-}
 
 field::Field bakedMeadow(const std::string& meadow, double density, double side)
 {
@@ -103,7 +79,9 @@ void TracedMeadow::addBlade(const field::Field& field, const std::vector<shared:
                             std::vector<glm::vec3>& corners, std::vector<glm::uvec3>& triangles,
                             std::vector<std::pair<double, double>>& areas)
 {
-    const shared::PosedBlade posed = restingBlade(field, organs, blade);
+    const field::FieldView view = field::viewOf(field);
+    const shared::PosedBlade posed =
+        field::restingBlade(view, field::viewOf(organs), field::calmOf(view), blade);
     const shared::Species& look = *field::partOf(field.species[blade.species], blade).look;
     shared::Ribbon ribbon = {};
     ribbon.v0 = posed.v0;
