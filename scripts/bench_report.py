@@ -5,7 +5,7 @@ import textwrap
 from bench_groups import AIMS, ALL_MOVED
 import svg_plot
 
-PASSES = ("cull", "update", "pyramid", "blades", "resolve", "grass", "ground", "total")
+PASSES = ("cull", "update", "pyramid", "blades", "shadow", "resolve", "grass", "ground", "total")
 BYTES_MOVED = 24  # of a blade: packed 16, its state read and written 4 each
 AIMED_SHARE = 0.6  # of the copy bandwidth
 
@@ -85,7 +85,7 @@ class Report:
                                        about(self.measurement, runs, "medians, strokes to p99"), commands(runs), logarithmic))
 
 
-PARTS = {"cull, update": ("cull", "update"), "pyramid": ("pyramid",), "blades": ("blades",), "resolve": ("resolve",),
+PARTS = {"cull, update": ("cull", "update"), "pyramid": ("pyramid",), "blades": ("blades",), "shadow": ("shadow",), "resolve": ("resolve",),
          "ground": ("ground",)}
 
 
@@ -178,7 +178,7 @@ def levels_section(report, runs):
 def culling_section(report, runs):
     report.section("Culling", "One sample, no level of detail; no test, each alone, all; and the default, which thins as well. A blade "
                    "counts for the first test that cuts it.")
-    parts = {"cull, update": ("cull", "update"), "pyramid": ("pyramid",), "blades, resolve": ("blades", "resolve")}
+    parts = {"cull, update": ("cull", "update"), "pyramid": ("pyramid",), "blades, resolve": ("blades", "shadow", "resolve")}
     for scene in scenes_of(runs):
         chosen = [run for run in runs if run["scene"] == scene]
         cuts = list(chosen[0]["stats"]["blades"]["culled"])

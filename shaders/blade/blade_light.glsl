@@ -143,7 +143,12 @@ vec3 bladePicture(BladePoint point)
     const float leafArea = point.leafAbove;
     const float upright = dot(point.up, sun);
     const float risen = mix(point.rootColor.w, point.tipColor.w, along);
-    const float sunlit = openSky * risen * fleckOf(point, sunBelow(leafProjectionOf(FRAME.cover), leafArea, upright), distance);
+    // Near the eye the blades themselves are known; elsewhere, how much they leave of the sun.
+    const vec2 among = sunAmongBlades(FRAME.bladeShadow, point.position, point.seed);
+    float passed = among.x;
+    if (among.y < 1.0)
+        passed = mix(fleckOf(point, sunBelow(leafProjectionOf(FRAME.cover), leafArea, upright), distance), passed, among.y);
+    const float sunlit = openSky * risen * passed;
 
     // Light from sky and ground, on this side and through the blade, and what leaves around pass on.
     const float openBelow = skyBelow(point.leafBelow);

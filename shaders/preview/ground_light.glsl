@@ -104,10 +104,12 @@ vec4 groundPicture(GroundPoint point)
     n = normalize(n - (relief.slope - n * dot(n, relief.slope)));
     const float facing = max(dot(n, FRAME.sunDirection), 0.0);
     const float seen = facing > 0.0 ? sunSeen(FRAME.shadow, point.position, n) : 0.0;
+    const vec2 among = sunAmongBlades(FRAME.bladeShadow, point.position, noBladeSeed);
+    const float passed = mix(sunBelow(leafProjectionOf(FRAME.cover), leafArea, facing), among.x, among.y);
     const vec3 light = hemisphere(n) * skyBelow(leafArea) +
                        lightAmongLeaves(leafArea, 0.0, facing, seen * FRAME.sunColor, 1.25 * FRAME.skyColor,
                                         1.5 * FRAME.cover.sward) +
-                       FRAME.sunColor * (facing * seen * sunBelow(leafProjectionOf(FRAME.cover), leafArea, facing));
+                       FRAME.sunColor * (facing * seen * passed);
     vec3 color = relief.brightness * albedo * light;
     const float sward = swardShare(FRAME.cover, leafArea);
     if (sward > 0.0) {

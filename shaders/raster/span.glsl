@@ -163,6 +163,7 @@ void putKept()
 }
 #endif
 
+#ifndef DRAWS_SHADOW
 /// Draws one row of pixels. `seed`: Ribbon::seed.
 void drawRow(Span span, uint blade, uint seed, int row)
 {
@@ -233,6 +234,7 @@ void drawRow(Span span, uint blade, uint seed, int row)
 #endif
     }
 }
+#endif
 
 /// Draws a small, untwisted quad by one thread. Same result as a span row by row, but as one function, which on an H200
 /// needs 80 registers per thread instead of 120. Weights belong to sections.

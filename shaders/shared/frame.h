@@ -3,6 +3,7 @@
 #define SWARD_SHARED_FRAME_H
 
 #include "shaders/shared/blade.h"
+#include "shaders/shared/blade_shadow.h"
 #include "shaders/shared/cover.h"
 #include "shaders/shared/culling.h"
 #include "shaders/shared/environment.h"
@@ -127,16 +128,17 @@ struct Frame {
     LevelSteps levelSteps;
     UpdateRate updateRate;
 
-    Cover cover;      ///< density of the grass
-    SunShadow shadow; ///< shadow of the ground
+    Cover cover;             ///< density of the grass
+    SunShadow shadow;        ///< shadow of the ground
+    BladeShadow bladeShadow; ///< shadow of the blades near the eye
     float
         fogFalloff; ///< [1/m] the air thins upwards as exp(−falloff · height); 0: constant density
     float lowSun;   ///< [0, 1]: 1 for a sun on the horizon or below
 
-    uint tick;     ///< time of the frame, see ticksPerSecond
-    uint reserved; ///< padding: consecutive frames meet any offset alignment of constants
+    uint tick;         ///< time of the frame, see ticksPerSecond
+    uint reserved[49]; ///< padding: consecutive frames meet any offset alignment of constants
 };
-SHARED_LAYOUT(Frame, 1792)
+SHARED_LAYOUT(Frame, 2048)
 
 SHARED_BUFFER(FrameArray, Frame, readonly)
 

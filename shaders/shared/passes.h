@@ -297,6 +297,22 @@ struct RasterPush {
 };
 SHARED_LAYOUT(RasterPush, 128)
 
+/// Threads of a work-group that draws blades into a BladeShadow: so many blades of a patch at a
+/// time. And work-groups of its dispatch: the patches are too few for one each.
+SHARED_CONST uint bladeShadowThreads = 64u;
+SHARED_CONST uint bladeShadowGroups = 4096u;
+
+/// Segments of a blade there, drawn by a thread each.
+SHARED_CONST uint bladeShadowSegments = 8u;
+
+struct BladeShadowPush {
+    VisiblePatchArray visiblePatches; ///< of the sun's view
+    WalkLevelArray levels;            ///< the first holds their number
+    UintArray map;                    ///< see BladeShadow
+    uvec2 size;                       ///< [texels]
+};
+SHARED_LAYOUT(BladeShadowPush, 32)
+
 /// A collider is drawn as this many quads around its axis, in this many rings from each pole.
 SHARED_CONST uint colliderSegments = 64u;
 SHARED_CONST uint colliderRings = 16u;

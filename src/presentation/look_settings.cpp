@@ -17,8 +17,10 @@ using render::FrameSettings;
 
 namespace {
 
-constexpr double brightest = 1000.0; ///< radiance; that of the sky is about 1
-constexpr double densest = 1000.0;   ///< [1/m] visibility below a millimetre
+constexpr double brightest = 1000.0;       ///< radiance; that of the sky is about 1
+constexpr double minShadowDistance = 0.01; ///< [m]
+constexpr double maxShadowDistance = 1000.0;
+constexpr double densest = 1000.0; ///< [1/m] visibility below a millimetre
 
 /// Extinction per air mass (exponent) of clear air with a little haze.
 constexpr glm::dvec3 extinction(0.08, 0.14, 0.26);
@@ -87,6 +89,9 @@ void readLook(SettingsReader& reader, FrameSettings& settings)
     look.read("fog_height", settings.fogHeight, 0.0, 1e6);
     look.read("clouds", settings.clouds, 0.0, 1.0);
     look.read("thatch", settings.thatch, 0.0, 1.0);
+    look.read("blade_shadows", settings.bladeShadows);
+    look.read("blade_shadow_distance", settings.bladeShadowDistance, minShadowDistance,
+              maxShadowDistance);
     if (look.has("up")) {
         glm::vec3 skyUp(0.0f);
         look.read("up", skyUp, -1e6, 1e6);

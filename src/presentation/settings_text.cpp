@@ -137,6 +137,8 @@ std::string settingsText(const FrameSettings& settings)
                     {"ground", vector(settings.groundColor)},
                     {"clouds", number(settings.clouds)},
                     {"thatch", number(settings.thatch)},
+                    {"blade_shadows", settings.bladeShadows},
+                    {"blade_shadow_distance", number(settings.bladeShadowDistance)},
                     {"fog_height", number(settings.fogHeight)}};
     if (settings.skyUp)
         json["look"]["up"] = vector(*settings.skyUp);

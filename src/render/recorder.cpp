@@ -40,6 +40,7 @@ Recorder::Recorder(const gpu::DeviceContext& deviceContext, const Grass::Setting
               .keepsMotion = wanted.keepsMotion,
               .groupsDrawLarge = !wanted.rastersForCpu.value_or(context.isCpu()),
               .limitsLists = wanted.maxListed < Grass::Settings{}.maxListed})
+    , bladeShadows(context, wanted.maxViews)
     , testsSmall(extras.testsSmall.value_or(raster.drawsLargeByGroups()))
     , frameOfSlot(wanted.framesInFlight, 0)
     , depths(wanted.framesInFlight * wanted.maxViews)
@@ -85,6 +86,11 @@ UpdateCullPass::Variant Recorder::movingOf(const PlacedField& field) const
     return variant;
 }
 
+BladeShadowPass::Variant shadowOf(const PlacedField& field)
+{
+    return {.isPaged = field.blades().isPaged(), .looks = field.field().looks};
+}
+
 std::optional<PyramidPass::Settings>
 Recorder::pyramidOf(const HostView& view, const FrameSettings& frameSettings, bool isOwn)
 {
@@ -119,6 +125,7 @@ void Recorder::begin(std::uint32_t slotNumber, const GrassFrame& wanted,
             instance.placement.before = instance.placement.now;
         InstanceFrame written = toInstance(instance);
         addPyramids(written, wanted);
+        addShadows(written, *instance.field);
         instance.field->write(slot, written, frame);
         instance.placement.before = instance.placement.now;
         for (std::uint32_t view = 0; view < views; ++view)
@@ -224,9 +231,26 @@ void Recorder::addPyramids(InstanceFrame& instance, const GrassFrame& wanted)
     }
 }
 
+/// Decides which views have shadows of blades, the same for all instances.
+void Recorder::addShadows(InstanceFrame& instance, PlacedField& field)
+{
+    field.expectViews(static_cast<std::uint32_t>(instance.views.size()));
+    for (std::uint32_t i = 0; i < instance.views.size(); ++i) {
+        InstanceView& view = instance.views[i];
+        if (!bladeShadows.isPossible())
+            view.shadowBox.reset();
+        drawings[i].hasShadows = view.shadowBox.has_value();
+        if (!view.shadowBox)
+            continue;
+        view.shadowMap = bladeShadows.expectMap(i);
+        field.expectShadow(i);
+        bladeShadows.prepare(shaders, shadowOf(field));
+    }
+}
+
 VkDeviceSize Recorder::deviceBytes() const
 {
-    VkDeviceSize sum = raster.bytes();
+    VkDeviceSize sum = raster.bytes() + bladeShadows.bytes();
     for (const auto& [id, instance] : placed)
         sum += instance.field->bytes();
     for (const Removed& gone : removed)

@@ -10,6 +10,7 @@
 #include "render/frame/frame_time.h"
 #include "render/grass.h"
 #include "render/host/host_shadow_maps.h"
+#include "render/raster/blade_shadow_pass.h"
 #include "render/raster/view_raster.h"
 #include "render/recorder_extras.h"
 #include "render/resident/host_frame.h"
@@ -56,6 +57,7 @@ struct Recorder {
     UpdateCullPass update;
     HostShadowMaps shadowMaps;
     ViewRaster raster;
+    BladeShadowPass bladeShadows;
     bool testsSmall; ///< see UpdateCullPass::Variant
     InstanceStreaming streaming;
     std::map<std::uint64_t, Placed> placed;
@@ -130,6 +132,7 @@ private:
     void lookAtDepth(const HostView& view, const ViewDrawing& drawing,
                      const FrameSettings& frameSettings, ViewDepth& depth);
     void addPyramids(InstanceFrame& instance, const GrassFrame& frame);
+    void addShadows(InstanceFrame& instance, PlacedField& field);
 
     void recordBegin(const gpu::Recording& commands);
     void recordEdits(const gpu::Recording& commands) const;
@@ -139,10 +142,15 @@ private:
     void recordDepth(const gpu::Recording& commands, std::uint32_t view, gpu::Timestamps* times);
     void recordLists(const gpu::Recording& commands, std::uint32_t view, std::uint32_t round,
                      bool listsAll, gpu::Timestamps* times) const;
+    void recordShadow(const gpu::Recording& commands, std::uint32_t view,
+                      gpu::Timestamps* times) const;
     void recordCounts(const gpu::Recording& commands, std::uint32_t view) const;
 };
 
 /// How blades of a field are moved; `moving`: of any field.
 UpdateCullPass::Variant movingIn(UpdateCullPass::Variant moving, const BakedBlades& blades);
+
+/// How the shadows of a field's blades are drawn.
+BladeShadowPass::Variant shadowOf(const PlacedField& field);
 
 } // namespace sward::render

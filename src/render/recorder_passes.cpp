@@ -99,10 +99,14 @@ void Recorder::recordCull(const gpu::Recording& commands, std::uint32_t view,
     gpu::memoryBarrier(commands, gpu::anyAccess, gpu::fillAccess);
     forEach([&](PlacedField& field) {
         field.list(view).clear(commands);
+        if (drawn.hasShadows)
+            field.shadowList(view).clear(commands);
         field.clearCullResults(commands);
         if (drawn.hasTwoPasses)
             field.history(view).begin(commands);
     });
+    if (drawn.hasShadows)
+        bladeShadows.clear(commands, view);
     recordDepth(commands, view, times);
     {
         const DispatchScope scope(context, commands, times, "cull");
@@ -112,6 +116,8 @@ void Recorder::recordCull(const gpu::Recording& commands, std::uint32_t view,
     if (listsInRounds && !extras.drawsAll)
         return;
     recordLists(commands, view, 0, false, times);
+    gpu::computeToCompute(commands);
+    recordShadow(commands, view, times);
     gpu::memoryBarrier(commands, gpu::computeAccess, gpu::anyAccess);
     recordCounts(commands, view);
     // The rasteriser counts on.
@@ -167,6 +173,10 @@ void Recorder::walkAll(const gpu::Recording& commands, std::uint32_t firstView,
                                           : field.place(slot, Kind::culling, view))
                                     .address,
                                 step);
+            for (std::uint32_t view = firstView; view < endView && !isUpdate; ++view)
+                if (drawings[view].hasShadows)
+                    walk.recordStep(commands, field.blades(), field.shadowList(view),
+                                    field.place(slot, Kind::shadow, view).address, step);
         });
         gpu::computeToCompute(commands);
     }
@@ -205,6 +215,19 @@ void Recorder::recordLists(const gpu::Recording& commands, std::uint32_t view, s
     });
 }
 
+/// Draws the blades near the eye as the sun sees them, once they have moved.
+void Recorder::recordShadow(const gpu::Recording& commands, std::uint32_t view,
+                            gpu::Timestamps* times) const
+{
+    if (!drawings[view].hasShadows)
+        return;
+    const DispatchScope scope(context, commands, times, "shadow");
+    forEach([&](const PlacedField& field) {
+        bladeShadows.record(commands, view, shadowOf(field), field.shadowList(view),
+                            field.place(slot, Kind::shadow, view));
+    });
+}
+
 void Recorder::recordCounts(const gpu::Recording& commands, std::uint32_t view) const
 {
     forEach([&](const PlacedField& field) { field.recordCounts(commands, slot, view); });
@@ -225,6 +248,10 @@ void Recorder::recordRaster(const gpu::Recording& commands, std::uint32_t view,
         rounds.list = std::ref(list); // a reference allocates nothing while recording
     }
     raster.record(commands, slot, view, instances, rounds, times);
+    if (drawn.layer != nullptr && !extras.drawsAll) {
+        recordShadow(commands, view, times);
+        gpu::memoryBarrier(commands, gpu::computeAccess, gpu::anyAccess);
+    }
     drawn.isRastered = true;
     // Late passes have counted hidden blades, and rounds all of them.
     if (extras.drawsAll || (!drawn.hasTwoPasses && drawn.layer == nullptr))

@@ -179,7 +179,7 @@ class PanelsTest(PanelsCase):
         viewer = self.open(self.field("hills"), "--panel", "profile", "--collider", "sphere:0,1,0,0.5",
                            "--resolution", "1")
         viewer.press("Reset times", panel="Profile")
-        names = ("sun shadow", "ground", "pyramid", "cull", "update", "blades", "resolve", "not attributed")
+        names = ("sun shadow", "ground", "pyramid", "cull", "update", "blades", "shadow", "resolve", "not attributed")
         viewer.wait(lambda: all(f"Profile/{name}" in viewer.controls() for name in (*names, "total")),
                     "all passes are measured")
         viewer.wait_frames(12)

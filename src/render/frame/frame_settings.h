@@ -97,6 +97,11 @@ struct FrameSettings {
     float fogHeight = 0.0f;   ///< [m] above the lowest ground where 1/e of it is left; 0: nowhere
     float clouds = 0.35f;     ///< [0, 1] cover of the sky
     float thatch = 1.0f; ///< [0, 1] share of the undergrowth that covers the ground between blades
+    /// Up to `bladeShadowDistance` [m] from the eye, (0, 1000], blades cast shadows of their own
+    /// shape on blades, and on the ground of a FieldRenderer. Beyond it, and everywhere if this is
+    /// false, they dim the sunlight by a formula. The device needs 64-bit atomics on buffers.
+    bool bladeShadows = true;
+    float bladeShadowDistance = 8.0f;
     std::optional<glm::vec3> skyUp; ///< up direction of the sky; unset: against gravity
 
     /// Settings initialised from the defaults saved in the field.

@@ -161,6 +161,8 @@ void requireValid(const FrameSettings& settings)
                      wind.source.kind, shared::windKinds);
     const float sun = glm::length(settings.sunDirection);
     requireUsage(sun > 0.0f && std::isfinite(sun), "the direction of the sun has no length");
+    requireUsage(settings.bladeShadowDistance > 0.0f && settings.bladeShadowDistance <= 1000.0f,
+                 "bladeShadowDistance is {} m, outside (0, 1000]", settings.bladeShadowDistance);
 }
 
 } // namespace sward::render

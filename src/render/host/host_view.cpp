@@ -31,13 +31,18 @@ glm::vec4 normalisedPlane(const glm::dvec4& plane)
 }
 
 /// The centre of a projection: the place where x, y and w are 0.
-glm::dvec3 eyeOf(const glm::dvec4& x, const glm::dvec4& y, const glm::dvec4& w)
+glm::dvec3 centreOf(const glm::dvec4& x, const glm::dvec4& y, const glm::dvec4& w)
 {
     const glm::dmat3 rows = glm::transpose(glm::dmat3(glm::dvec3(x), glm::dvec3(y), glm::dvec3(w)));
     return glm::inverse(rows) * -glm::dvec3(x.w, y.w, w.w);
 }
 
 } // namespace
+
+glm::dvec3 eyeOf(const glm::dmat4& toClip)
+{
+    return centreOf(rowOf(toClip, 0), rowOf(toClip, 1), rowOf(toClip, 3));
+}
 
 bool isParallel(const glm::dmat4& toClip)
 {
@@ -54,7 +59,7 @@ std::optional<bool> isReversedZ(const glm::dmat4& toClip)
 {
     if (isParallel(toClip))
         return std::nullopt;
-    const glm::dvec3 eye = eyeOf(rowOf(toClip, 0), rowOf(toClip, 1), rowOf(toClip, 3));
+    const glm::dvec3 eye = eyeOf(toClip);
     const glm::dvec4 z = rowOf(toClip, 2);
     const glm::dvec4 terms = z * glm::dvec4(eye, 1.0);
     const double atEye = terms.x + terms.y + terms.z + terms.w;
@@ -82,7 +87,7 @@ ViewMatrices viewMatricesOf(const glm::dmat4& fieldToClip, bool hasReversedZ, gl
                    normalisedPlane(w + y), normalisedPlane(w - z), normalisedPlane(z)};
     const double halfHeight = 0.5 * static_cast<double>(size.y);
     if (!isParallel(fieldToClip)) {
-        view.eye = glm::vec3(eyeOf(x, y, w));
+        view.eye = glm::vec3(centreOf(x, y, w));
         view.pixelsPerUnit = static_cast<float>(halfHeight * glm::length(glm::dvec3(y)) /
                                                 glm::length(glm::dvec3(w)));
         return view;

@@ -68,6 +68,9 @@ struct HostView {
 ViewMatrices viewMatricesOf(const glm::dmat4& fieldToClip, bool hasReversedZ, glm::uvec2 size,
                             const Aabb& content);
 
+/// The eye of a perspective.
+glm::dvec3 eyeOf(const glm::dmat4& toClip);
+
 /// Whether all rays of a projection are parallel; it then has no distances.
 bool isParallel(const glm::dmat4& toClip);
 

@@ -12,6 +12,7 @@ struct ViewDrawing {
     const char* storeObstacle = nullptr; ///< why it is not stored; null: none
     std::uint32_t samples = 1;           ///< per pixel
     bool hasReversedZ = true;
+    bool hasShadows = false;            ///< of the blades near its eye
     bool hasTwoPasses = false;          ///< an early and a late one
     bool drawsAll = false;              ///< what InstanceConstants::Kind::listing lists
     const OpaqueLayer* layer = nullptr; ///< null: the host's depth

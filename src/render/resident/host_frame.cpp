@@ -1,5 +1,6 @@
 #include "render/resident/host_frame.h"
 
+#include "render/frame/shadow_box.h"
 #include "render/host/host_shadow_maps.h"
 #include "render/host/host_view.h"
 #include "render/host/lit_field.h"
@@ -21,8 +22,8 @@ shared::Collider placed(const HostCollider& collider, const Placement& placement
     return result;
 }
 
-InstanceView inField(const HostView& view, const PlacementOverTime& placement,
-                     const FieldShape& field)
+InstanceView inField(const HostView& view, const FrameSettings& world,
+                     const PlacementOverTime& placement, const FieldShape& field)
 {
     const glm::dmat4 toWorld = placement.now.toWorld(field.origin);
     const glm::dmat4 toClip = view.worldToClip * toWorld;
@@ -35,6 +36,14 @@ InstanceView inField(const HostView& view, const PlacementOverTime& placement,
                                                 placement.before.toWorld(field.origin)),
                         .samples = view.samples,
                         .isParallel = isParallel(toClip)};
+    if (!result.isParallel) {
+        // All instances share the map of a view: the box is the world's.
+        const glm::dmat4 rows = glm::transpose(view.worldToClip);
+        const std::optional<glm::dmat4> box =
+            shadowBoxOf(eyeOf(view.worldToClip), glm::dvec3(rows[3]), world);
+        if (box)
+            result.shadowBox = *box * toWorld;
+    }
     if (view.cullViewFrom)
         result.culled = seenBy(*view.cullViewFrom * toWorld);
     return result;
@@ -51,7 +60,7 @@ InstanceFrame inField(const GrassFrame& frame, const PlacementOverTime& placemen
     for (const HostCollider& collider : frame.colliders)
         result.colliders.push_back(placed(collider, placement.now, field.origin));
     for (const HostView& view : frame.views)
-        result.views.push_back(inField(view, placement, field));
+        result.views.push_back(inField(view, frame.settings, placement, field));
     result.complete = [&](std::uint32_t i, const shared::Frame& drawn) {
         std::optional<shared::HostLight> light;
         if (isLitByHost(frame.light, frame.views[i]))

@@ -12,7 +12,7 @@ namespace {
 
 std::uint32_t kindsOf(const InstanceConstants::Settings& settings)
 {
-    return settings.listsAll ? 5 : 4;
+    return settings.listsAll ? 6 : 5;
 }
 
 /// Offset of the frames in a slot's constants: after the tables.
@@ -100,7 +100,7 @@ void InstanceConstants::put(std::uint32_t slot, Kind kind, std::uint32_t view,
 
 void InstanceConstants::thin(std::uint32_t slot, std::uint32_t view, float lodThreshold) const
 {
-    for (const Kind kind : {Kind::update, Kind::culling, Kind::drawing, Kind::raster})
+    for (const Kind kind : {Kind::update, Kind::culling, Kind::drawing, Kind::raster, Kind::shadow})
         write(slot,
               frameOffset(kind, view) + offsetof(shared::Frame, view) +
                   offsetof(shared::Eyepoint, lodThreshold),

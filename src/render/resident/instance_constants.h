@@ -25,6 +25,7 @@ public:
         culling, ///< culls them, and moves those of a single view
         drawing, ///< draws them by the tessellator, in the host's clip space
         raster,  ///< draws them by the rasteriser, in reversed Z
+        shadow,  ///< draws the blades near the eye as the sun sees them
         listing, ///< lists every blade; only if `listsAll`
     };
 

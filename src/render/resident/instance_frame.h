@@ -23,6 +23,8 @@ struct InstanceView {
     bool isParallel = false;                ///< it has no distances
     shared::DepthPyramid cullPyramid{};     ///< hides blades from the cull
     shared::DepthPyramid rasterPyramid{};   ///< hides blades from the late pass
+    std::optional<glm::dmat4> shadowBox{};  ///< see shadowBoxOf(); unset: no shadows of blades
+    std::uint64_t shadowMap = 0;            ///< address of its map
 };
 
 /// A frame of one instance of a field, in the field's space.

@@ -5,6 +5,7 @@
 #include "render/field/frame_tables.h"
 #include "render/frame/frame.h"
 #include "render/frame/frame_time.h"
+#include "render/frame/shadow_box.h"
 
 #include <algorithm>
 #include <cstring>
@@ -15,6 +16,9 @@ namespace sward::render {
 namespace {
 
 using Kind = InstanceConstants::Kind;
+
+/// Patches of a list of the sun's view: all.
+constexpr std::uint32_t shadowPatches = 0xffffffffu;
 
 InstanceConstants::Settings constantsOf(const PlacedField::Settings& settings)
 {
@@ -60,6 +64,7 @@ void PlacedField::expectViews(std::uint32_t views)
     while (lists_.size() < views)
         lists_.emplace_back(*context_, blades(), settings_.roundPatches, settings_.maxListed);
     histories_.resize(lists_.size());
+    shadows_.resize(lists_.size());
 }
 
 void PlacedField::write(std::uint32_t slot, const InstanceFrame& frame, std::uint32_t number)
@@ -101,6 +106,12 @@ void PlacedField::write(std::uint32_t slot, const InstanceFrame& frame, std::uin
         if (light)
             drawn.hostLight = constants_.putLight(slot, i, *light);
 
+        if (view.shadowBox) {
+            drawn.bladeShadow = bladeShadowOf(*view.shadowBox, view.shadowMap);
+            shared::Frame seen = seenBySun(drawn, *view.shadowBox);
+            shadows_[i]->describe(seen);
+            constants_.put(slot, Kind::shadow, i, seen);
+        }
         shared::Frame cullView = drawn;
         if (view.culled)
             look(cullView, *view.culled);
@@ -131,6 +142,12 @@ void PlacedField::expectHistory(std::uint32_t view)
         histories_[view] = VisibilityHistory(*context_, blades().indexCount());
 }
 
+void PlacedField::expectShadow(std::uint32_t view)
+{
+    if (!shadows_[view])
+        shadows_[view].emplace(*context_, blades(), shadowPatches, 1);
+}
+
 void PlacedField::followEdits()
 {
     if (edits() == nullptr)
@@ -138,6 +155,9 @@ void PlacedField::followEdits()
     states_.update(*context_, blades(), replaced_.waiting());
     for (VisibleBlades& list : lists_)
         list.update(*context_, blades(), replaced_.waiting());
+    for (std::optional<VisibleBlades>& list : shadows_)
+        if (list)
+            list->update(*context_, blades(), replaced_.waiting());
     if (settings_.keepsCullResults &&
         blades().placeCount() * sizeof(std::uint32_t) > cullResults_.bytes())
         replaced_.waiting().push_back(
@@ -248,6 +268,8 @@ VkDeviceSize PlacedField::bytes() const
         sum += list.bytes();
     for (const VisibilityHistory& history : histories_)
         sum += history.bytes();
+    for (const std::optional<VisibleBlades>& list : shadows_)
+        sum += list ? list->bytes() : 0;
     return sum;
 }
 

@@ -17,6 +17,7 @@
 
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -50,6 +51,10 @@ public:
     void expectHistory(std::uint32_t view);
     VisibilityHistory& history(std::uint32_t view) { return histories_[view]; }
     const VisibilityHistory& history(std::uint32_t view) const { return histories_[view]; }
+
+    /// Makes the list of patches of a view's shadow box, unless there is one.
+    void expectShadow(std::uint32_t view);
+    const VisibleBlades& shadowList(std::uint32_t view) const { return *shadows_[view]; }
 
     bool isInFrame(std::uint32_t number) const { return written_ == number; }
     bool isUploaded() const { return !resident_ || resident_->isUploaded(); }
@@ -133,7 +138,8 @@ private:
     std::vector<VisibleBlades> lists_;
     gpu::Buffer cullResults_;
     std::vector<VisibilityHistory> histories_; ///< by view; empty ones unless there are two passes
-    bool hasNewEtas_ = false;                  ///< the collision state is uninitialised
+    std::vector<std::optional<VisibleBlades>> shadows_; ///< by view; they list patches alone
+    bool hasNewEtas_ = false;                           ///< the collision state is uninitialised
     ReplacedBuffers replaced_;
     InstanceConstants constants_;
     std::vector<std::uint64_t> bladesOfSlot_; ///< blades of the field in each slot's frame

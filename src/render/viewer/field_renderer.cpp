@@ -7,6 +7,7 @@
 #include "render/cull/pass_scope.h"
 #include "render/frame/frame.h"
 #include "render/frame/frame_time.h"
+#include "render/frame/shadow_box.h"
 #include "render/viewer/blade_dump.h"
 #include "render/viewer/exposure.h"
 #include "render/viewer/field_renderer_parts.h"
@@ -167,6 +168,8 @@ MemoryPlan FieldRenderer::Parts::planWithin(const field::FieldView& view, VkDevi
                            (resolve ? resolve->bytesToCopy() : 0);
     if (geometry == Geometry::raster && recorder.raster.drawsLargeByGroups())
         others += VisibilityHistory::bytesOf(static_cast<std::uint32_t>(view.blades.size()));
+    if (recorder.bladeShadows.isPossible())
+        others += BladeShadowPass::bytesFor(view.patches.size());
     return planFor(view, records,
                    {.bytes = settings.deviceBytes,
                     .others = others,
@@ -233,6 +236,8 @@ InstanceFrame FieldRenderer::Parts::instanceOf(const View& view, const FrameSett
     result.colliders = collidersAt(wanted.colliders, field->shape.origin, time,
                                    blades->hasMoved() ? lastTime : time);
     InstanceView own{.seen = view.matrices, .samples = settings.samples};
+    const glm::mat4 rows = glm::transpose(view.matrices.viewProjection);
+    own.shadowBox = shadowBoxOf(glm::dvec3(view.matrices.eye), glm::dvec3(rows[3]), wanted);
     if (wanted.cullingCamera)
         own.culled = viewMatrices(*wanted.cullingCamera, field->shape.origin, view.whole,
                                   field->shape.content);

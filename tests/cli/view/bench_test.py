@@ -268,7 +268,7 @@ class LongBench(ReportTest):
         # As long as the passes take.
         parts = len(bars) // len(fast)
         lengths = [sum(float(bar.get("width")) for bar in bars[parts * i:parts * (i + 1)]) for i in range(len(fast))]
-        times = [sum(run["stats"]["gpu_ms"][name]["median"] for name in ("cull", "update", "pyramid", "blades", "resolve", "ground"))
+        times = [sum(run["stats"]["gpu_ms"][name]["median"] for name in ("cull", "update", "pyramid", "blades", "shadow", "resolve", "ground"))
                  for run in fast]
         for length, time in zip(lengths, times):
             self.assertAlmostEqual(length / max(lengths), time / max(times), delta=0.01)

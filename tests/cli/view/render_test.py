@@ -15,7 +15,7 @@ SWARD = os.environ["SWARD_PROGRAM"]
 VIEWER = os.environ["SWARD_VIEW_PROGRAM"]
 BLADES = 2000
 SIZE = ["--size", "64x36"]
-PASSES = {"update", "cull", "pyramid", "blades", "resolve", "grass", "ground", "total"}
+PASSES = {"update", "cull", "pyramid", "blades", "shadow", "resolve", "grass", "ground", "total"}
 CULL_RESULTS = {"drawn", "patch", "orientation", "frustum", "distance", "occlusion", "lod"}
 ENVIRONMENT = {name: value for name, value in os.environ.items()
                if name not in ("DISPLAY", "WAYLAND_DISPLAY")}

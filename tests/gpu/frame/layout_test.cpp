@@ -84,14 +84,18 @@ public:
     void fill(shared::UpdateRate& p) { fillAll(p.everyFrame, p.everyThird, p.longest, p.frame); }
     void fill(shared::Cover& c)
     {
-        fillAll(c.grass.address, c.low, c.cellsPerMetre, c.countX, c.countY, c.countZ,
-                c.farthest, c.undergrowth, c.thatch, c.sward, c.thinned, c.structure,
-                c.stepsPerMetre, c.leaves);
+        fillAll(c.grass.address, c.low, c.cellsPerMetre, c.countX, c.countY, c.countZ, c.farthest,
+                c.undergrowth, c.thatch, c.sward, c.thinned, c.structure, c.stepsPerMetre,
+                c.leaves);
     }
     void fill(shared::SunShadow& s)
     {
         fillAll(s.depths.address, s.across, s.down, s.depth, s.size, s.texel, s.epsilon,
                 s.reserved);
+    }
+    void fill(shared::BladeShadow& s)
+    {
+        fillAll(s.map.address, s.across, s.down, s.depth, s.size, s.nearer);
     }
     void fill(shared::Cascade& c) { fillAll(c.across, c.down, c.depth, c.width); }
     void fill(shared::Lamp& l)
@@ -174,7 +178,7 @@ std::size_t fillValues(Values& v)
               f.tick, f.environment, f.patchCount, f.bladeCount, f.visibleCapacity,
               f.maxTessellation, f.sunDirection, f.exposure, f.sunColor, f.debugMode, f.skyColor,
               f.fogDensity, f.groundColor, f.skyUp, f.fixedTessellation, f.clouds, f.levelSteps,
-              f.updateRate, f.cover, f.shadow, f.fogFalloff, f.lowSun, f.reserved);
+              f.updateRate, f.cover, f.shadow, f.bladeShadow, f.fogFalloff, f.lowSun, f.reserved);
     n.fillAll(v.visible.blade, v.visible.patchIndex, v.visible.factors, v.visible.pixels);
     n.fillAll(v.draw.vertexCount, v.draw.instanceCount, v.draw.firstVertex, v.draw.firstInstance,
               v.draw.simulated, v.draw.cullResults);

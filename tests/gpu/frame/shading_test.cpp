@@ -1,8 +1,8 @@
 // Light that grass and ground let pass to each other.
 
 #include "core/random.h"
-#include "picture.h"
 #include "field/measure/leaf_area.h"
+#include "picture.h"
 #include "render/preview/sun_shadow.h"
 #include "support/fields/display_ground.h"
 #include "support/fields/fields.h"
@@ -102,8 +102,8 @@ TEST(GrassCover, EndsWithinACellOfTheLastBlade)
 TEST(GrassCover, OfTheFirstBladesStandsForAll)
 {
     // More blades than are sampled: equal within the sampling error.
-    const field::Field field =
-        test::makeField({.blades = field::maxCoverBlades + field::maxCoverBlades / 2, .extent = 60.0f});
+    const field::Field field = test::makeField(
+        {.blades = field::maxCoverBlades + field::maxCoverBlades / 2, .extent = 60.0f});
     const field::LeafAreaGrid grid = field::leafAreaOf(field::viewOf(field));
     const double area = bladeArea(field);
     EXPECT_NEAR(integrated(field.ground, grid.view()), area, 0.01 * area);
@@ -244,6 +244,91 @@ TEST_F(ShadingTest, ShadowsFollowTheSunAndComeBackWithIt)
     scene.settings.sunDirection = {1.0f, 1.0f, 0.0f};
     EXPECT_GT(test::differingPixels(morning, evening), 100u);
     EXPECT_EQ(test::differingPixels(morning, scene.draw(picture)), 0u);
+}
+
+/// Twelve blades of half a metre, far apart, on a square of 12 m: the meadow takes no light from
+/// the ground.
+field::Field sparse()
+{
+    std::vector<shared::Blade> blades;
+    std::vector<field::BladeKey> keys;
+    for (std::uint32_t i = 0; i < 12; ++i) {
+        shared::Blade blade = {};
+        blade.root = {0.5f * static_cast<float>(i % 4) - 0.75f, 0.0f,
+                      0.5f * static_cast<float>(i / 4) - 0.5f};
+        blade.up = up;
+        blade.facing = 0.5f * static_cast<float>(i);
+        blade.stiffness = 0.8f;
+        blade.height = 0.5f;
+        blade.width = 0.05f;
+        blade.exposure = 1.0f;
+        blade.tint = glm::vec3(0.3f);
+        blades.push_back(blade);
+        keys.push_back({.triangle = 0, .candidate = i});
+    }
+    field::Field field = test::treeOf(blades, keys, glm::vec3(-1.0f), 2.0f);
+    field.ground = test::planeGround(12.0f);
+    return field;
+}
+
+/// Distance of a place from the nearest blade, both seen from a direction [m].
+double distanceSeen(const std::vector<BladeRecord>& blades, glm::dvec3 place, glm::dvec3 from)
+{
+    double nearest = 1e9;
+    for (const BladeRecord& blade : blades)
+        for (int i = 0; i <= 64; ++i) {
+            const double t = i / 64.0;
+            const glm::dvec3 point =
+                glm::mix(glm::mix(blade.root, blade.v1, t), glm::mix(blade.v1, blade.v2, t), t);
+            nearest = std::min(nearest, glm::length(glm::cross(place - point, from)));
+        }
+    return nearest;
+}
+
+TEST_F(ShadingTest, BladesNearTheEyeCastTheirOwnShadowOnTheGround)
+{
+    constexpr glm::uvec2 fine(240, 160);
+    test::Picture picture(context(), fine);
+    Scene scene(sparse(), {.samples = 1});
+    scene.camera.eye = {0.0, 5.0, 0.01};
+    scene.camera.near = 0.5f;
+    scene.settings.winds.clear();
+    const glm::dvec3 sun = glm::normalize(glm::dvec3(1.0, 1.0, 0.3));
+    scene.settings.sunDirection = glm::vec3(sun);
+    scene.settings.bladeShadows = false;
+    picture.draw(scene.renderer, scene.camera, scene.settings, 1.0);
+    const auto open = picture.pixels();
+    scene.settings.bladeShadows = true;
+    picture.draw(scene.renderer, scene.camera, scene.settings, 1.0);
+    const auto shaded = picture.pixels();
+    const auto blades = scene.renderer.dumpBlades(field::viewOf(scene.field));
+    ASSERT_EQ(blades.size(), 12u);
+
+    const ViewMatrices view = viewMatrices(scene.camera, {}, fine, {});
+    const glm::dmat4 back = glm::inverse(glm::dmat4(view.viewProjection));
+    std::size_t dark = 0;
+    for (std::uint32_t y = 0; y < fine.y; ++y)
+        for (std::uint32_t x = 0; x < fine.x; ++x) {
+            const glm::dvec2 clip((x + 0.5) / (0.5 * fine.x) - 1.0,
+                                  (y + 0.5) / (0.5 * fine.y) - 1.0);
+            const glm::dvec4 seen = back * glm::dvec4(clip, 0.5, 1.0);
+            const glm::dvec3 ray = glm::normalize(glm::dvec3(seen) / seen.w - scene.camera.eye);
+            const glm::dvec3 place = scene.camera.eye - scene.camera.eye.y / ray.y * ray;
+            // Only ground, not the blades before it.
+            if (distanceSeen(blades, place, ray) < 0.1)
+                continue;
+            const std::size_t i = 4 * (std::size_t(y) * fine.x + x) + 1;
+            const int darker = std::to_integer<int>(open[i]) - std::to_integer<int>(shaded[i]);
+            const double off = distanceSeen(blades, place, sun);
+            dark += darker > 20 ? 1u : 0u;
+            // The formula dims the ground between sparse blades a little; where none shades, there
+            // is no less light.
+            if (off > 0.035) {
+                ASSERT_LE(darker, 0) << place.x << ", " << place.z;
+            }
+        }
+    // A blade of 5 cm that turns its broad side or its edge to the sun, in pixels of 2.6 cm.
+    EXPECT_GT(dark, 100u);
 }
 
 TEST(SunShadow, HoldsAllOfItsGround)

@@ -87,6 +87,8 @@ TEST(ThinnedForScale, ThinsWithThePixelsUpToFourTimes)
     EXPECT_FLOAT_EQ(thinnedForScale(all, 1.0).lodThreshold, threshold);
     EXPECT_FLOAT_EQ(thinnedForScale(all, 0.5).lodThreshold, 2.0f * threshold);
     EXPECT_FLOAT_EQ(thinnedForScale(all, 0.2).lodThreshold, 4.0f * threshold);
+    EXPECT_TRUE(thinnedForScale(all, 1.0).bladeShadows);
+    EXPECT_FALSE(thinnedForScale(all, 0.5).bladeShadows);
 }
 
 } // namespace

@@ -15,7 +15,7 @@ TEST(StatsText, SaysZeroOfAPassThatDidNotRun)
               nlohmann::json({{"min", 1.0}, {"median", 2.0}, {"p99", 3.0}}));
     EXPECT_EQ(json["gpu_ms"]["pyramid"],
               nlohmann::json({{"min", 0.0}, {"median", 0.0}, {"p99", 0.0}}));
-    EXPECT_EQ(json["gpu_ms"].size(), 8u);
+    EXPECT_EQ(json["gpu_ms"].size(), 9u);
 }
 
 TEST(StatsText, SharesTheMemoryAmongTheBladesIfThereAreAny)

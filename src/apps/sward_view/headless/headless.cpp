@@ -214,7 +214,7 @@ RunStats Headless::stats()
     for (const std::string& name : timestamps_.names())
         stats.gpuTimes[name] = timestamps_.statistics(name);
     std::vector<double> grass = timestamps_.history("update");
-    for (const char* pass : {"cull", "pyramid", "blades", "resolve"})
+    for (const char* pass : {"cull", "pyramid", "blades", "shadow", "resolve"})
         grass = sumOf(std::move(grass), timestamps_.history(pass));
     stats.gpuTimes["grass"] = gpu::statisticsOf(grass);
     stats.recordTime = gpu::statisticsOf(recordTimes_);

@@ -13,7 +13,7 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 // The passes of a frame, in output order.
-constexpr const char* timedPasses[] = {"update",  "cull",  "pyramid", "blades",
+constexpr const char* timedPasses[] = {"update",  "cull",  "pyramid", "blades", "shadow",
                                        "resolve", "grass", "ground",  "total"};
 
 // Round to nanoseconds, the precision of the timestamps.

@@ -49,6 +49,14 @@ void drawLookPanel(Controls& controls, ViewerState& state)
     controls.number("Thatch", settings.thatch, {0.0f, 1.0f},
                     "Litter, moss and young leaves on the ground between the blades");
 
+    controls.toggle("Blade shadows", settings.bladeShadows,
+                    "Blades near the eye cast shadows of their own shape");
+    ImGui::BeginDisabled(!settings.bladeShadows);
+    controls.number("Shadow distance", settings.bladeShadowDistance,
+                    {0.5f, 100.0f, "m", "%.1f", true},
+                    "Distance from the eye to which blades cast shadows of their own shape");
+    ImGui::EndDisabled();
+
     controls.section("Air");
     bool chosen = settings.fogDensity < 0.0f;
     if (controls.toggle("Automatic", chosen, "Chooses the fog by the size of the field"))

@@ -68,6 +68,8 @@ void InternalResolution::learn(double seconds)
 render::FrameSettings thinnedForScale(render::FrameSettings settings, double scale)
 {
     settings.lodThreshold *= static_cast<float>(std::min(1.0 / scale, maxThinning));
+    // They take a CPU as long as a third of the picture; at rest they are drawn.
+    settings.bladeShadows = settings.bladeShadows && scale >= 1.0;
     return settings;
 }
 

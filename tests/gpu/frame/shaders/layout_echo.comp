@@ -134,6 +134,16 @@ void put(SunShadow shadow)
     put(shadow.reserved);
 }
 
+void put(BladeShadow shadow)
+{
+    put(uvec2(shadow.map));
+    put(shadow.across);
+    put(shadow.down);
+    put(shadow.depth);
+    put(shadow.size);
+    put(shadow.nearer);
+}
+
 void put(Gravity gravity)
 {
     put(gravity.direction);

@@ -63,7 +63,9 @@ void putFrame()
     put(FRAME.updateRate.frame);
     put(FRAME.cover);
     put(FRAME.shadow);
+    put(FRAME.bladeShadow);
     put(FRAME.fogFalloff);
     put(FRAME.lowSun);
-    put(FRAME.reserved);
+    for (uint i = 0u; i < 49u; ++i)
+        put(FRAME.reserved[i]);
 }
