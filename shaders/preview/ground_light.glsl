@@ -4,6 +4,7 @@
 
 #include "shaders/common/lighting.glsl"
 #include "shaders/shared/ground.h"
+#include "shaders/shared/look/ground_detail.h"
 #include "shaders/shared/noise.h"
 
 /// A place of the ground.
@@ -27,12 +28,6 @@ void addNoise(inout Relief relief, vec3 position, vec3 stretch, float size, floa
     const vec4 noise = valueNoiseSlope(position * stretch / size);
     relief.brightness += amount * (noise.w - 0.5);
     relief.slope += (0.5 * amount) * (noise.xyz * stretch);
-}
-
-/// Share of a structure of `size` [m] that pixels of `pixel` [m] show.
-float shownAt(float size, float pixel)
-{
-    return clamp(0.35 * size / pixel - 1.0, 0.0, 1.0);
 }
 
 /// Grains and crumbs, from `size` [m] down.
@@ -70,6 +65,9 @@ Relief strands(vec3 position, float size, float pixel)
 /// Size of the largest crumbs of ground without any grass [m].
 const float bareStructure = 0.32;
 
+/// Slope of crumbs in a light from the horizon, at most, as a share of that light.
+const float darkestCrumb = 0.85;
+
 /// The film colour of the ground, and 1 − softness.
 vec4 groundPicture(GroundPoint point)
 {
@@ -87,37 +85,49 @@ vec4 groundPicture(GroundPoint point)
     const float leafArea = FRAME.cover.thinned * blades;
     const float pixel = distance / FRAME.view.pixelsPerUnit;
     const float size = FRAME.cover.structure > 0.0 ? FRAME.cover.structure : bareStructure;
-    const float under = FRAME.cover.thatch * undergrowthBelow(leafArea);
-    Relief relief = crumbs(point.position, size, pixel);
+    // Undergrowth ends in tufts; the grid of the leaf area is coarser.
+    const float closed = undergrowthBelow(leafArea);
+    const float ragged = raggedShare(closed, point.position, 1.0 / max(FRAME.cover.cellsPerMetre, 1e-6), size, pixel);
+    const float under = FRAME.cover.thatch * ragged;
+
     vec3 albedo = point.albedo;
     vec3 shade = vec3(1.0);
-    if (under > 0.0) {
-        const Relief litter = strands(point.position, size, pixel);
-        relief.brightness *= mix(1.0, litter.brightness, under);
-        relief.slope += under * litter.slope;
-        shade = meadowShade(point.position);
-        albedo = groundUnder(FRAME.cover, albedo, shade, leafArea);
+    float brightness = 0.0;
+    vec3 rough = vec3(0.0);
+    vec3 crumbled = vec3(0.0);
+    if (under < 1.0) {
+        const GroundDetail detail = groundDetail(point.position, n, FRAME.skyUp, albedo, size, pixel);
+        albedo = detail.albedo;
+        brightness = (1.0 - under) * detail.brightness;
+        crumbled = (1.0 - under) * (detail.slope - n * dot(n, detail.slope));
     }
-    // Litter is rough, bare soil and sand are not.
-    relief.slope *= mix(0.3, 1.0, under);
-    relief.brightness = max(relief.brightness, 0.2);
-    n = normalize(n - (relief.slope - n * dot(n, relief.slope)));
-    const float facing = max(dot(n, FRAME.sunDirection), 0.0);
-    const float seen = facing > 0.0 ? sunSeen(FRAME.shadow, point.position, n) : 0.0;
-    const vec2 among = sunAmongBlades(FRAME.bladeShadow, point.position, noBladeSeed);
-    const float passed = mix(sunBelow(leafProjectionOf(FRAME.cover), leafArea, facing), among.x, among.y);
-    const vec3 light = hemisphere(n) * skyBelow(leafArea) +
-                       lightAmongLeaves(leafArea, 0.0, facing, seen * FRAME.sunColor, 1.25 * FRAME.skyColor,
+    if (under > 0.0) {
+        Relief relief = crumbs(point.position, size, pixel);
+        const Relief litter = strands(point.position, size, pixel);
+        brightness += under * max(relief.brightness * litter.brightness, 0.2);
+        rough = under * (relief.slope + litter.slope);
+        shade = meadowShade(point.position);
+        albedo = mix(albedo, shade * FRAME.cover.undergrowth, under);
+    }
+    n = normalize(n - (rough - n * dot(n, rough)));
+    // Crumbs take from one side what they give to the other, so that their mean is that of even ground.
+    const float even = max(dot(n, FRAME.sunDirection), 0.0);
+    const float turned = dot(crumbled, FRAME.sunDirection) / max(even, 0.3);
+    const float facing = even * (1.0 - clamp(turned, -darkestCrumb, darkestCrumb));
+    const float seen = even > 0.0 ? sunSeen(FRAME.shadow, point.position, n) : 0.0;
+    const float below = sunBelow(leafProjectionOf(FRAME.cover), leafArea, even);
+    const vec3 light = hemisphere(normalize(n - crumbled)) * skyBelow(leafArea) +
+                       lightAmongLeaves(leafArea, 0.0, even, seen * FRAME.sunColor, 1.25 * FRAME.skyColor,
                                         1.5 * FRAME.cover.sward) +
-                       FRAME.sunColor * (facing * seen * passed);
-    vec3 color = relief.brightness * albedo * light;
-    const float sward = swardShare(FRAME.cover, leafArea);
+                       FRAME.sunColor * (facing * seen * below);
+    vec3 color = brightness * albedo * light;
+    const float sward = closed > 0.0 ? swardShare(FRAME.cover, leafArea) * (ragged / closed) : 0.0;
     if (sward > 0.0) {
-        const vec3 open = hemisphere(n) + FRAME.sunColor * (facing * seen);
-        color = mix(color, relief.brightness * swardBrightness(max(dot(n, toEye), 0.0)) * shade * FRAME.cover.sward * open, sward);
+        const vec3 open = hemisphere(n) + FRAME.sunColor * (even * seen);
+        color = mix(color, brightness * swardBrightness(max(dot(n, toEye), 0.0)) * shade * FRAME.cover.sward * open, sward);
     }
     if (debugMode() != debugNothing)
-        color = showsBands() ? vec3(0.0) : vec3(0.35) * (0.5 + 0.5 * facing);
+        color = showsBands() ? vec3(0.0) : vec3(0.35) * (0.5 + 0.5 * even);
     else
         color = throughAir(color, -toEye, distance);
     if (paintsWind)
