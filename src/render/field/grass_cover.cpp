@@ -8,8 +8,13 @@ namespace sward::render {
 
 GrassCover::GrassCover(const gpu::DeviceContext& context, gpu::BufferUpload& upload,
                        const field::FieldView& field, bool isEditable)
+    : GrassCover(context, upload, field, field::leafAreaOf(field), isEditable)
 {
-    field::LeafAreaGrid grid = field::leafAreaOf(field);
+}
+
+GrassCover::GrassCover(const gpu::DeviceContext& context, gpu::BufferUpload& upload,
+                       const field::FieldView& field, field::LeafAreaGrid grid, bool isEditable)
+{
     if (isEditable) {
         if (grid.values.empty()) {
             grid.shape = field::coverShapeOf(field);

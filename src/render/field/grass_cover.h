@@ -25,6 +25,9 @@ public:
     /// Begins the upload; it is complete when `upload` is.
     GrassCover(const gpu::DeviceContext& context, gpu::BufferUpload& upload,
                const field::FieldView& field, bool isEditable = false);
+    /// The same with the leaf area of the field, as field::leafAreaOf() returns it.
+    GrassCover(const gpu::DeviceContext& context, gpu::BufferUpload& upload,
+               const field::FieldView& field, field::LeafAreaGrid grid, bool isEditable);
     GrassCover(GrassCover&&) noexcept;
     ~GrassCover();
 

@@ -139,7 +139,9 @@ FieldRenderer::~FieldRenderer() = default;
 std::unique_ptr<DeviceField> FieldRenderer::Parts::uploadedField(const field::FieldView& view)
 {
     gpu::Uploader uploader(context);
-    GrassCover cover(context, uploader, view, settings.isEditable);
+    field::LeafAreaGrid grid = field::leafAreaOf(view);
+    const float exposure = chosenExposure(view, grid);
+    GrassCover cover(context, uploader, view, std::move(grid), settings.isEditable);
     const MemoryPlan plan = planWithin(view, cover.bytes());
     requireMemory(context, view, records, plan);
     DeviceField::Settings own{.walkStart =
@@ -147,7 +149,7 @@ std::unique_ptr<DeviceField> FieldRenderer::Parts::uploadedField(const field::Fi
                               .pages = plan.pages,
                               .streaming = plan.streaming,
                               .framesInFlight = settings.framesInFlight,
-                              .exposure = chosenExposure(view),
+                              .exposure = exposure,
                               .boundsRounds = true};
     if (settings.isEditable && plan.pages == 0)
         own.edited = editedOf(view);
