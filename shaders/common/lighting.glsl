@@ -47,10 +47,10 @@ float luminance(vec3 color)
 /// Radiance of the sky near the horizon in a direction with this cosine to the sun's direction.
 vec3 paleSky(float sunCosine)
 {
-    // Paler and warmer where light passes through more air.
+    // Paler and warmer where light passes through more air; of a low sun on all sides, and most on the sun's.
     const float towards = 0.5 + 0.5 * sunCosine;
-    return FRAME.skyColor * mix(vec3(1.12, 1.02, 0.90), vec3(2.30, 1.30, 0.60),
-                                FRAME.lowSun * towards * towards);
+    const vec3 pale = mix(vec3(1.12, 1.02, 0.90), vec3(1.36, 1.12, 0.96), FRAME.lowSun);
+    return FRAME.skyColor * mix(pale, vec3(2.50, 1.45, 0.66), FRAME.lowSun * towards * towards);
 }
 
 /// Light scattered forward around the sun.

@@ -85,9 +85,10 @@ vec4 groundPicture(GroundPoint point)
     const float leafArea = FRAME.cover.thinned * blades;
     const float pixel = distance / FRAME.view.pixelsPerUnit;
     const float size = FRAME.cover.structure > 0.0 ? FRAME.cover.structure : bareStructure;
-    // Undergrowth ends in tufts; the grid of the leaf area is coarser.
+    // Undergrowth ends in tufts, except on turf; the grid of the leaf area is coarser.
     const float closed = undergrowthBelow(leafArea);
-    const float ragged = raggedShare(closed, point.position, 1.0 / max(FRAME.cover.cellsPerMetre, 1e-6), size, pixel);
+    const float ragged = mix(raggedShare(closed, point.position, 1.0 / max(FRAME.cover.cellsPerMetre, 1e-6), size, pixel),
+                             closed, turfIn(point.albedo));
     const float under = FRAME.cover.thatch * ragged;
 
     vec3 albedo = point.albedo;

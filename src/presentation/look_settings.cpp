@@ -25,6 +25,18 @@ constexpr double densest = 1000.0; ///< [1/m] visibility below a millimetre
 /// Extinction per air mass (exponent) of clear air with a little haze.
 constexpr glm::dvec3 extinction(0.08, 0.14, 0.26);
 
+/// Sine of the sun's height by which the round earth keeps the sky of a sun on the horizon bright.
+constexpr double afterglow = 0.0375;
+
+/// The sun's height below the horizon in which the sky's light falls e times [degrees], and the
+/// least share of it: more than in nature, as eyes adapt.
+constexpr double twilightFold = 6.0;
+constexpr double darkest = 0.04;
+
+/// Sunlight that a leaf in a sward gets of that on a surface facing the sun: leaves stand in all
+/// directions, so a low sun lights them as a high one does.
+constexpr double leafProjection = 0.5;
+
 double airMass(double elevation)
 {
     // The formula is defined for elevations ≥ 0.
@@ -35,6 +47,30 @@ double airMass(double elevation)
 double elevationOf(glm::vec3 direction)
 {
     return glm::degrees(std::asin(glm::normalize(glm::dvec3(direction)).y));
+}
+
+double usualElevation()
+{
+    return elevationOf(FrameSettings().sunDirection);
+}
+
+/// Light that clear air scatters out of the sun's beam, for each area of level ground: half of it
+/// comes down as the light of the sky (Bird & Hulstrom 1981).
+glm::dvec3 scattered(double elevation)
+{
+    const double rise = std::max(std::sin(glm::radians(elevation)), 0.0);
+    return std::sqrt(rise * rise + afterglow * afterglow) *
+           (1.0 - glm::exp(-extinction * airMass(elevation)));
+}
+
+/// Share of the sky's light that is left with the sun at `elevation` [degrees].
+glm::dvec3 skyShareAt(double elevation)
+{
+    const double usual = usualElevation();
+    if (elevation >= usual)
+        return glm::dvec3(1.0);
+    const glm::dvec3 share = scattered(elevation) / scattered(usual);
+    return elevation >= 0.0 ? share : glm::max(share * std::exp(elevation / twilightFold), darkest);
 }
 
 double azimuthOf(glm::vec3 direction)
@@ -61,8 +97,33 @@ SunPlace sunPlaceOf(glm::vec3 direction)
 glm::vec3 sunColorAt(double elevation)
 {
     const FrameSettings usual;
-    const double more = airMass(elevation) - airMass(elevationOf(usual.sunDirection));
+    const double more = airMass(elevation) - airMass(usualElevation());
     return glm::vec3(glm::dvec3(usual.sunColor) * glm::exp(-extinction * more));
+}
+
+glm::vec3 skyColorAt(double elevation)
+{
+    return glm::vec3(glm::dvec3(FrameSettings().skyColor) * skyShareAt(elevation));
+}
+
+glm::vec3 groundColorAt(double elevation)
+{
+    const FrameSettings usual;
+    const double lowered = std::min(elevation, usualElevation());
+    const glm::dvec3 sky = 0.5 * 1.25 * glm::dvec3(usual.skyColor);
+    const glm::dvec3 sun = leafProjection * glm::dvec3(usual.sunColor);
+    const glm::dvec3 low =
+        elevation > 0.0 ? leafProjection * glm::dvec3(sunColorAt(lowered)) : glm::dvec3(0.0);
+    return glm::vec3(glm::dvec3(usual.groundColor) * (low + sky * skyShareAt(lowered)) /
+                     (sun + sky));
+}
+
+void setLightByElevation(FrameSettings& settings)
+{
+    const double elevation = elevationOf(settings.sunDirection);
+    settings.sunColor = elevation > 0.0 ? sunColorAt(elevation) : glm::vec3(0.0f);
+    settings.skyColor = skyColorAt(elevation);
+    settings.groundColor = groundColorAt(elevation);
 }
 
 void readLook(SettingsReader& reader, FrameSettings& settings)
@@ -79,6 +140,10 @@ void readLook(SettingsReader& reader, FrameSettings& settings)
             sun.read("elevation", elevation, -90.0, 90.0);
             settings.sunDirection = sunTowards(azimuth, elevation);
             settings.sunColor = sunColorAt(elevation);
+            if (sun.has("elevation")) {
+                settings.skyColor = skyColorAt(elevation);
+                settings.groundColor = groundColorAt(elevation);
+            }
         }
         sun.readColor("color", settings.sunColor, 0.0, brightest);
         sun.finish();

@@ -30,4 +30,17 @@ SunPlace sunPlaceOf(glm::vec3 direction);
 /// extinction of clear air with a little haze.
 glm::vec3 sunColorAt(double elevation);
 
+/// Linear radiance of the sky at this `elevation` of the sun [degrees]. It equals
+/// FrameSettings::skyColor from the default elevation upwards; a lower sun's sky is darker and less
+/// blue, by what clear air scatters out of the beam. It never gets wholly dark.
+glm::vec3 skyColorAt(double elevation);
+
+/// Linear radiance of grass in that light: FrameSettings::groundColor from the default elevation
+/// upwards. A low sun lights standing leaves, too, so grass gets redder rather than dark.
+glm::vec3 groundColorAt(double elevation);
+
+/// Sets the colours of sun, sky and ground by the sun's direction: these three, and no sunlight
+/// from below the horizon.
+void setLightByElevation(render::FrameSettings& settings);
+
 } // namespace sward::presentation

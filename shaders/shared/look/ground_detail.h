@@ -166,6 +166,12 @@ SHARED_FN void layStraws(SHARED_INOUT(GroundDetail) detail, SHARED_INOUT(vec3) m
     }
 }
 
+/// How far ground of colour `albedo` is green, [0, 1]: turf, which has no soil between its tufts.
+SHARED_FN float turfIn(vec3 albedo)
+{
+    return smoothstep(1.15f, 1.6f, albedo.y / max(max(albedo.x, albedo.z), 1e-4f));
+}
+
 /// Bare ground of colour `albedo` at a `position`, with its unit `normal`. `up`: unit, away from
 /// the ground below. `size` [m]: of the largest crumbs. Light ground is sand, chalk or snow, which
 /// is smoother; stones and straws lie on slopes below 50°.
@@ -182,9 +188,7 @@ SHARED_FN GroundDetail groundDetail(vec3 position, vec3 normal, vec3 up, vec3 al
     const float soil = 1.0f - 0.75f * smoothstep(0.15f, 0.4f, light);
     addCrumbs(detail, position, size, pixel, soil);
 
-    // Green ground is turf.
-    const float turf = smoothstep(1.15f, 1.6f, albedo.y / max(max(albedo.x, albedo.z), 1e-4f));
-    const float lies = soil * (1.0f - turf) * smoothstep(0.64f, 0.85f, dot(normal, up));
+    const float lies = soil * (1.0f - turfIn(albedo)) * smoothstep(0.64f, 0.85f, dot(normal, up));
     vec3 mean = albedo;
     // Nothing that lies on dark ground is much lighter than it.
     const float dark = min(16.0f * light, 1.0f);

@@ -32,6 +32,13 @@ glm::vec3 unitOr(glm::vec3 v, glm::vec3 otherwise)
     return size > 0.0f ? v / size : otherwise;
 }
 
+/// How warm the sky is, by the sine of the sun's elevation: from 36° upwards not at all, and at 24°
+/// already by .4.
+float lowSunOf(float rise)
+{
+    return std::pow(1.0f - glm::smoothstep(0.0f, 0.59f, rise), 0.6f);
+}
+
 /// Fog density that hides a tenth of an object at the length of the content, or at its nearest
 /// point if that is farther: enough to show depth without hiding the content.
 float chosenFog(const Aabb& content, glm::vec3 eye)
@@ -209,7 +216,7 @@ shared::Frame frameOf(const FieldShape& field, const ViewMatrices& view,
     if (settings.skyUp)
         frame.skyUp = unitOr(*settings.skyUp, frame.skyUp);
     frame.exposure = settings.exposure.value_or(field.exposure);
-    frame.lowSun = 1.0f - glm::smoothstep(0.0f, 0.6f, glm::dot(frame.sunDirection, frame.skyUp));
+    frame.lowSun = lowSunOf(glm::dot(frame.sunDirection, frame.skyUp));
     frame.fogFalloff = settings.fogHeight > 0.0f ? 1.0f / settings.fogHeight : 0.0f;
     frame.fogDensity = fogAtEye(field, view.eye, settings, frame.skyUp);
     frame.clouds = settings.clouds;

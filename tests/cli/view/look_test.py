@@ -53,6 +53,18 @@ class LookTest(unittest.TestCase):
         # An inverted up-vector: the sky is below, and the former horizon is haze.
         self.assertNotEqual(self.render({"clouds": 0, "up": [0, -1, 0]}), usual)
 
+    def test_a_low_sun_warms_sky_and_air_but_not_what_settings_state(self):
+        # Dense air shows the horizon alone.
+        def warmth(elevation, **more):
+            red, _, blue = self.render({"clouds": 0, "fog": 10, "exposure": 0.5, "sun": {"azimuth": 60, "elevation": elevation}, **more})[:3]
+            return red / blue
+        high, middle, low = (warmth(elevation) for elevation in (60, 24, 10))
+        self.assertGreater(middle, 1.05 * high)
+        self.assertGreater(low, 1.2 * high)
+        sky = [0.42, 0.60, 0.92]
+        self.assertAlmostEqual(warmth(60, sky=sky), high, delta=0.01)
+        self.assertLess(warmth(10, sky=sky), 0.95 * low)
+
     def test_a_wrong_look_is_refused_by_name(self):
         for look, says in (({"sun": {"altitude": 3}}, "altitude"), ({"clouds": 1.5}, "look: clouds"),
                            ({"up": [0, 0, 0]}, "look: up"), ({"fogg": 1}, '"fogg"')):

@@ -4,6 +4,7 @@
 #include "core/math/srgb.h"
 #include "picture.h"
 #include "presentation/look_settings.h"
+#include "render/frame/frame.h"
 #include "support/fields/display_ground.h"
 #include "support/fields/fields.h"
 #include "support/gpu/gpu_fixture.h"
@@ -18,6 +19,8 @@
 namespace sward::render {
 namespace {
 
+using presentation::groundColorAt;
+using presentation::skyColorAt;
 using presentation::sunColorAt;
 using presentation::sunTowards;
 
@@ -271,6 +274,50 @@ TEST(Look, SunIsRedderAndWeakerTheLowerItStands)
     }
     // Below the horizon equals at the horizon.
     EXPECT_EQ(sunColorAt(-20.0), sunColorAt(0.0));
+}
+
+TEST(Look, LightOfSkyAndGrassIsDarkerAndWarmerTheLowerTheSunStands)
+{
+    const FrameSettings usual;
+    const double own = glm::degrees(std::asin(glm::normalize(usual.sunDirection).y));
+    // A high sun has the usual sky.
+    for (const double elevation : {90.0, 60.0, own}) {
+        EXPECT_EQ(skyColorAt(elevation), usual.skyColor) << elevation;
+        EXPECT_LT(glm::distance(groundColorAt(elevation), usual.groundColor), 1e-6f) << elevation;
+    }
+    glm::vec3 sky = usual.skyColor;
+    glm::vec3 ground = usual.groundColor;
+    for (double elevation = 35.0; elevation >= 0.0; elevation -= 5.0) {
+        const glm::vec3 nowSky = skyColorAt(elevation);
+        const glm::vec3 nowGround = groundColorAt(elevation);
+        for (glm::length_t c = 0; c < 3; ++c) {
+            EXPECT_LT(nowSky[c], sky[c]) << elevation;
+            EXPECT_LT(nowGround[c], ground[c]) << elevation;
+        }
+        EXPECT_GT(nowSky.x / nowSky.z, sky.x / sky.z) << elevation;
+        sky = nowSky;
+        ground = nowGround;
+    }
+    // Grass of a low sun is red rather than dark: standing leaves face it.
+    EXPECT_GT(groundColorAt(10.0).x, 0.7f * usual.groundColor.x);
+    EXPECT_LT(groundColorAt(10.0).z, 0.55f * usual.groundColor.z);
+    // By night something is left.
+    EXPECT_LT(skyColorAt(-12.0).y, 0.3f * sky.y);
+    EXPECT_GT(skyColorAt(-90.0).y, 0.0f);
+}
+
+TEST(Look, HorizonIsWarmOnlyBelowALowSun)
+{
+    const auto lowSunAt = [](double elevation) {
+        FrameSettings settings;
+        settings.sunDirection = sunTowards(60.0, elevation);
+        return frameOf({}, {}, settings, 0.0, 1).lowSun;
+    };
+    EXPECT_EQ(frameOf({}, {}, {}, 0.0, 1).lowSun, 0.0f);
+    EXPECT_EQ(lowSunAt(60.0), 0.0f);
+    EXPECT_GT(lowSunAt(24.0), 0.35f);
+    EXPECT_GT(lowSunAt(10.0), 0.8f);
+    EXPECT_EQ(lowSunAt(-5.0), 1.0f);
 }
 
 TEST(Look, SunIsTurnedClockwiseFromNorth)

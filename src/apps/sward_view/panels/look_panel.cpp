@@ -39,8 +39,10 @@ void drawLookPanel(Controls& controls, ViewerState& state)
         settings.sunDirection = presentation::sunTowards(sun.azimuth, sun.elevation);
     controls.color("Sunlight", settings.sunColor, "Radiance of direct sunlight");
     if (controls.button("Colour by elevation",
-                        "Sets the sunlight by the sun's elevation: redder near the horizon", true))
-        settings.sunColor = presentation::sunColorAt(sun.elevation);
+                        "Sets the light of sun, sky and ground by the sun's elevation: redder near the "
+                        "horizon",
+                        true))
+        presentation::setLightByElevation(settings);
 
     controls.section("Sky and ground");
     controls.color("Sky", settings.skyColor, "Ambient light from the sky");

@@ -13,10 +13,6 @@ namespace {
 
 constexpr double latitude = 50.0;    ///< [degrees]
 constexpr double declination = 18.0; ///< [degrees] of the sun, in May and July
-constexpr double darkest = 0.04;     ///< share of the sky's light at night …
-constexpr double atHorizon = 0.3;    ///< … and at sunrise: more than in nature, as eyes adapt
-
-constexpr double twilightFold = 6.0; ///< [degrees] below the horizon in which it falls e times
 
 } // namespace
 
@@ -44,31 +40,13 @@ double hourOf(double elevation, double near)
     return near < 12.0 ? 12.0 - fromNoon : 12.0 + fromNoon;
 }
 
-double skyShareAt(double elevation)
-{
-    const double usual = presentation::sunPlaceOf(render::FrameSettings().sunDirection).elevation;
-    if (elevation >= usual)
-        return 1.0;
-    if (elevation >= 0.0)
-        return atHorizon + (1.0 - atHorizon) * elevation / usual;
-    return std::max(atHorizon * std::exp(elevation / twilightFold), darkest);
-}
-
 void setTimeOfDay(render::FrameSettings& settings, double before, double hour)
 {
     const presentation::SunPlace sun = presentation::sunPlaceOf(settings.sunDirection);
     const presentation::SunPlace now = sunAt(hour);
     settings.sunDirection =
         presentation::sunTowards(sun.azimuth + now.azimuth - sunAt(before).azimuth, now.elevation);
-    settings.sunColor =
-        now.elevation > 0.0 ? presentation::sunColorAt(now.elevation) : glm::vec3(0.0f);
-    const render::FrameSettings usual;
-    const double share = skyShareAt(now.elevation);
-    // Near the horizon less blue is left.
-    const auto low = static_cast<float>(std::clamp(1.0 - std::abs(now.elevation) / 12.0, 0.0, 1.0));
-    const glm::vec3 tint = glm::mix(glm::vec3(1.0f), glm::vec3(1.25f, 0.95f, 0.8f), low);
-    settings.skyColor = usual.skyColor * tint * static_cast<float>(share);
-    settings.groundColor = usual.groundColor * static_cast<float>(share);
+    presentation::setLightByElevation(settings);
 }
 
 } // namespace sward::view

@@ -17,10 +17,6 @@ presentation::SunPlace sunAt(double hour);
 /// it.
 double hourOf(double elevation, double near);
 
-/// Share of the sky's light at noon that is left at this `elevation` of the sun [degrees], (0, 1];
-/// 1 from the default elevation upwards.
-double skyShareAt(double elevation);
-
 /// Moves the sun from one hour to another: its elevation, and its azimuth by as much as it turns
 /// meanwhile. Sets the light of sun, sky and ground by the elevation.
 void setTimeOfDay(render::FrameSettings& settings, double before, double hour);
