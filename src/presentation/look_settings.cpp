@@ -37,6 +37,9 @@ constexpr double darkest = 0.04;
 /// directions, so a low sun lights them as a high one does.
 constexpr double leafProjection = 0.5;
 
+/// Largest factor of the exposure for a low sun.
+constexpr float mostAdaptation = 2.0f;
+
 double airMass(double elevation)
 {
     // The formula is defined for elevations ≥ 0.
@@ -118,12 +121,24 @@ glm::vec3 groundColorAt(double elevation)
                      (sun + sky));
 }
 
+float adaptationAt(double elevation)
+{
+    // The light of grass is that on its leaves.
+    const auto brightness = [](glm::vec3 light) {
+        return glm::dot(light, glm::vec3(0.2126f, 0.7152f, 0.0722f));
+    };
+    const float left =
+        brightness(groundColorAt(elevation)) / brightness(FrameSettings().groundColor);
+    return std::min(1.0f / std::sqrt(left), mostAdaptation);
+}
+
 void setLightByElevation(FrameSettings& settings)
 {
     const double elevation = elevationOf(settings.sunDirection);
     settings.sunColor = elevation > 0.0 ? sunColorAt(elevation) : glm::vec3(0.0f);
     settings.skyColor = skyColorAt(elevation);
     settings.groundColor = groundColorAt(elevation);
+    settings.adaptation = adaptationAt(elevation);
 }
 
 void readLook(SettingsReader& reader, FrameSettings& settings)
@@ -143,6 +158,7 @@ void readLook(SettingsReader& reader, FrameSettings& settings)
             if (sun.has("elevation")) {
                 settings.skyColor = skyColorAt(elevation);
                 settings.groundColor = groundColorAt(elevation);
+                settings.adaptation = adaptationAt(elevation);
             }
         }
         sun.readColor("color", settings.sunColor, 0.0, brightest);

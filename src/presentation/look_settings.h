@@ -39,8 +39,12 @@ glm::vec3 skyColorAt(double elevation);
 /// upwards. A low sun lights standing leaves, too, so grass gets redder rather than dark.
 glm::vec3 groundColorAt(double elevation);
 
-/// Sets the colours of sun, sky and ground by the sun's direction: these three, and no sunlight
-/// from below the horizon.
+/// Factor of a chosen exposure with the sun at this `elevation` [degrees], 1 to 2: half of the
+/// stops by which grass is darker than in the usual light. 1 from the default elevation upwards.
+float adaptationAt(double elevation);
+
+/// Sets the colours of sun, sky and ground, and the adaptation, by the sun's direction: all these,
+/// and no sunlight from below the horizon.
 void setLightByElevation(render::FrameSettings& settings);
 
 } // namespace sward::presentation

@@ -215,7 +215,7 @@ shared::Frame frameOf(const FieldShape& field, const ViewMatrices& view,
     frame.skyUp = skyUpOf(frame.environment.gravity, view.eye);
     if (settings.skyUp)
         frame.skyUp = unitOr(*settings.skyUp, frame.skyUp);
-    frame.exposure = settings.exposure.value_or(field.exposure);
+    frame.exposure = settings.exposure.value_or(field.exposure * settings.adaptation);
     frame.lowSun = lowSunOf(glm::dot(frame.sunDirection, frame.skyUp));
     frame.fogFalloff = settings.fogHeight > 0.0f ? 1.0f / settings.fogHeight : 0.0f;
     frame.fogDensity = fogAtEye(field, view.eye, settings, frame.skyUp);

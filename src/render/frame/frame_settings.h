@@ -93,6 +93,7 @@ struct FrameSettings {
     /// Of the film, linear. Unset: the renderer of a field chooses it by the field's colours
     /// (exposure.h); 1 in a host's view.
     std::optional<float> exposure;
+    float adaptation = 1.0f;  ///< above 0: factor of an exposure that is not set
     float fogDensity = -1.0f; ///< [1/m]; below 0: chosen from the field's size
     float fogHeight = 0.0f;   ///< [m] above the lowest ground where 1/e of it is left; 0: nowhere
     float clouds = 0.35f;     ///< [0, 1] cover of the sky

@@ -306,6 +306,28 @@ TEST(Look, LightOfSkyAndGrassIsDarkerAndWarmerTheLowerTheSunStands)
     EXPECT_GT(skyColorAt(-90.0).y, 0.0f);
 }
 
+TEST(Look, ExposureFollowsALowSunByHalfOfTheStopsUnlessItIsSet)
+{
+    using presentation::adaptationAt;
+    EXPECT_EQ(adaptationAt(60.0), 1.0f);
+    const glm::vec3 weights(0.2126f, 0.7152f, 0.0722f);
+    const float ground = glm::dot(weights, groundColorAt(10.0)) /
+                         glm::dot(weights, FrameSettings().groundColor);
+    EXPECT_NEAR(adaptationAt(10.0), 1.0f / std::sqrt(ground), 1e-5f);
+    for (double elevation = 60.0; elevation > -20.0; elevation -= 4.0)
+        EXPECT_LE(adaptationAt(elevation), adaptationAt(elevation - 4.0)) << elevation;
+    EXPECT_EQ(adaptationAt(-40.0), 2.0f);
+
+    FrameSettings settings;
+    settings.sunDirection = sunTowards(60.0, 10.0);
+    presentation::setLightByElevation(settings);
+    FieldShape field;
+    field.exposure = 1.5f;
+    EXPECT_EQ(frameOf(field, {}, settings, 0.0, 1).exposure, 1.5f * adaptationAt(10.0));
+    settings.exposure = 0.7f;
+    EXPECT_EQ(frameOf(field, {}, settings, 0.0, 1).exposure, 0.7f);
+}
+
 TEST(Look, HorizonIsWarmOnlyBelowALowSun)
 {
     const auto lowSunAt = [](double elevation) {
