@@ -38,7 +38,7 @@ constexpr double darkest = 0.04;
 constexpr double leafProjection = 0.5;
 
 /// Largest factor of the exposure for a low sun.
-constexpr float mostAdaptation = 2.0f;
+constexpr float maxAdaptation = 2.0f;
 
 double airMass(double elevation)
 {
@@ -129,7 +129,7 @@ float adaptationAt(double elevation)
     };
     const float left =
         brightness(groundColorAt(elevation)) / brightness(FrameSettings().groundColor);
-    return std::min(1.0f / std::sqrt(left), mostAdaptation);
+    return std::min(1.0f / std::sqrt(left), maxAdaptation);
 }
 
 void setLightByElevation(FrameSettings& settings)

@@ -41,7 +41,7 @@ SHARED_FN void addCrumbs(SHARED_INOUT(GroundDetail) detail, vec3 position, float
 {
     // The lattices of two sizes share no axis. They are bent, so that cracks are not straight.
     const mat3 turn = slantedLattice();
-    float amount = 0.14f * roughness;
+    float amount = 0.2f * roughness;
     for (uint i = 0u; i < crumbSizes; ++i) {
         const float shown = shownAt(size, pixel);
         if (shown <= 0.0f)
@@ -54,7 +54,7 @@ SHARED_FN void addCrumbs(SHARED_INOUT(GroundDetail) detail, vec3 position, float
         detail.brightness += amount * shown * (abs(height) - meanCrumb);
         detail.slope += (amount * shown * (height < 0.0f ? -1.0f : 1.0f)) * rise;
         size *= nextCrumb;
-        amount = min(1.6f * amount, 0.4f * roughness);
+        amount = min(1.4f * amount, 0.38f * roughness);
     }
 }
 
@@ -166,6 +166,9 @@ SHARED_FN void layStraws(SHARED_INOUT(GroundDetail) detail, SHARED_INOUT(vec3) m
     }
 }
 
+/// Size of damp and dry places, in largest crumbs.
+SHARED_CONST float damp = 7.0f;
+
 /// How far ground of colour `albedo` is green, [0, 1]: turf, which has no soil between its tufts.
 SHARED_FN float turfIn(vec3 albedo)
 {
@@ -182,10 +185,13 @@ SHARED_FN GroundDetail groundDetail(vec3 position, vec3 normal, vec3 up, vec3 al
     detail.albedo = albedo;
     detail.brightness = 1.0f;
     detail.slope = vec3(0.0f);
-    if (shownAt(size, pixel) <= 0.0f)
+    if (shownAt(damp * size, pixel) <= 0.0f)
         return detail;
     const float light = dot(albedo, vec3(0.2126f, 0.7152f, 0.0722f));
     const float soil = 1.0f - 0.75f * smoothstep(0.15f, 0.4f, light);
+    // Damp and dry places.
+    const float wide = damp * size;
+    detail.brightness += 0.5f * soil * shownAt(wide, pixel) * (valueNoise(position / wide) - 0.5f);
     addCrumbs(detail, position, size, pixel, soil);
 
     const float lies = soil * (1.0f - turfIn(albedo)) * smoothstep(0.64f, 0.85f, dot(normal, up));
@@ -210,8 +216,8 @@ SHARED_FN GroundDetail groundDetail(vec3 position, vec3 normal, vec3 up, vec3 al
 /// `size` [m].
 SHARED_FN float raggedShare(float mean, vec3 position, float cell, float size, float pixel)
 {
-    // A closed sward has no gaps.
-    const float amount = 1.0f - smoothstep(0.7f, 0.9f, mean);
+    // A closed sward has no gaps. Some undergrowth is thin everywhere.
+    const float amount = 0.75f * (1.0f - smoothstep(0.7f, 0.9f, mean));
     if (mean <= 0.0f || amount <= 0.0f)
         return mean;
     float step = max(0.5f * cell, size);

@@ -30,6 +30,10 @@ constexpr float meadowBrightness = 0.6f;
 /// exposure. All of them would make a meadow beside snow black, none would bleach the snow.
 constexpr float adaptation = 0.5f;
 
+/// Luminance of ground without grass, above which it is bright: sand is lighter than 18 % grey by
+/// half of its stops. That of earth.
+constexpr float usualGround = 0.2f;
+
 /// Share of the ground below which its grass does not decide alone on the exposure.
 constexpr float fewBlades = 0.05f;
 
@@ -206,14 +210,15 @@ float chosenExposure(const field::FieldView& field, const field::LeafAreaGrid& g
     const SeenGround ground = seenGround(groundPlaces(*field.ground, cover), cover, light, leaves);
 
     // The mean luminance of the meadow, or of the ground without any.
-    float mean = ground.mean;
+    float mean = ground.mean > usualGround ? std::sqrt(ground.mean * usualGround) : ground.mean;
+    float stops = 0.0f;
     if (leaves > 0.0f) {
         const float meadow = std::min((1.0f - ground.share) / fewBlades, 1.0f);
         mean = std::pow(meadowBrightness * leaves, meadow) *
                std::pow(std::max(mean, 1e-6f), 1.0f - meadow);
+        stops = meadow * adaptation * ground.stops;
     }
-    const float wanted =
-        mean > 0.0f ? exposedGrey / mean * std::exp(-adaptation * ground.stops) : 1.0f;
+    const float wanted = mean > 0.0f ? exposedGrey / mean * std::exp(-stops) : 1.0f;
     const float allowed = ground.brightest > 0.0f ? exposedBright / ground.brightest : maxExposure;
     return std::clamp(std::min(wanted, allowed), minExposure, maxExposure);
 }

@@ -147,7 +147,19 @@ TEST_F(ExposureTest, BrightGroundBesideAMeadowCountsByItsArea)
     EXPECT_EQ(seen.clipped, 0.0);
     EXPECT_GT(seen.mean, 0.5);
     // By the meadow alone all of it did.
-    EXPECT_GT(lightOf(snow, closed, beside, 245).clipped, 0.8);
+    EXPECT_GT(lightOf(snow, closed, beside, 245).clipped, 0.4);
+}
+
+TEST_F(ExposureTest, FewBladesDoNotDecide)
+{
+    // Sand is brighter than middle grey, and a few blades on it change little.
+    const field::Field sand = bare(0.4f);
+    const Light seen = lightOf(sand);
+    EXPECT_GT(seen.mean, 0.25);
+    EXPECT_LT(seen.mean, 0.6);
+    field::Field few = test::makeField({.blades = 20, .extent = side});
+    few.ground.materials[0].baseColor = sand.ground.materials[0].baseColor;
+    EXPECT_NEAR(exposureOf(few) / exposureOf(sand), 1.0f, 0.1f);
 }
 
 TEST_F(ExposureTest, ColoursOfVerticesAndImagesCount)

@@ -218,10 +218,15 @@ TEST_F(ShadingTest, GroundLiesInTheShadowOfWhatStandsBetweenItAndTheSun)
 
 TEST_F(ShadingTest, GroundDoesNotShadeItself)
 {
-    // Sun from high to low: no surface that faces it is shadowed.
+    // Sun from high to low: no surface that faces it is shadowed. From so far away that a pixel shows no
+    // detail of bare ground.
     test::Picture picture(context(), size);
     for (const float height : {2.0f, 0.5f, 0.1f}) {
-        Scene plane(roofed(0.0f));
+        field::Field wide = test::emptyField();
+        wide.ground = test::planeGround(120.0f);
+        Scene plane(std::move(wide));
+        plane.camera.eye = {0.0, 140.0, 30.0};
+        plane.camera.far = 400.0f;
         plane.settings.sunDirection = {1.0f, height, 0.3f};
         const auto pixels = plane.draw(picture);
         // A sunlit plane has one colour.
