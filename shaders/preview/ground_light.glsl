@@ -65,6 +65,12 @@ Relief strands(vec3 position, float size, float pixel)
 /// Size of the largest crumbs of ground without any grass [m].
 const float bareStructure = 0.32;
 
+/// Share of undergrowth that hides the detail of bare ground.
+const float hiddenBelow = 0.93;
+
+/// Smallest difference between places this far from the field's origin, relative to the distance: two steps of a float.
+const float placeStep = 2.5e-7;
+
 /// Slope of crumbs in a light from the horizon, at most, as a share of that light.
 const float darkestCrumb = 0.85;
 
@@ -83,7 +89,8 @@ vec4 groundPicture(GroundPoint point)
     const float grown = 1.0 - smoothstep(0.8 * farthest, farthest, distance);
     const float blades = leafAreaAt(FRAME.cover, point.position) * grown;
     const float leafArea = FRAME.cover.thinned * blades;
-    const float pixel = distance / FRAME.view.pixelsPerUnit;
+    const vec3 far = abs(point.position);
+    const float pixel = max(distance / FRAME.view.pixelsPerUnit, placeStep * max(far.x, max(far.y, far.z)));
     const float size = FRAME.cover.structure > 0.0 ? FRAME.cover.structure : bareStructure;
     // Undergrowth ends in tufts, except on turf; the grid of the leaf area is coarser.
     const float closed = undergrowthBelow(leafArea);
@@ -93,13 +100,13 @@ vec4 groundPicture(GroundPoint point)
 
     vec3 albedo = point.albedo;
     vec3 shade = vec3(1.0);
-    float brightness = 0.0;
+    float brightness = 1.0 - under;
     vec3 rough = vec3(0.0);
     vec3 crumbled = vec3(0.0);
-    if (under < 1.0) {
+    if (under < hiddenBelow) {
         const GroundDetail detail = groundDetail(point.position, n, FRAME.skyUp, albedo, size, pixel);
         albedo = detail.albedo;
-        brightness = (1.0 - under) * detail.brightness;
+        brightness *= detail.brightness;
         crumbled = (1.0 - under) * (detail.slope - n * dot(n, detail.slope));
     }
     if (under > 0.0) {
