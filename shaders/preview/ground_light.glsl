@@ -123,7 +123,8 @@ vec4 groundPicture(GroundPoint point)
     const float turned = dot(crumbled, FRAME.sunDirection) / max(even, 0.3);
     const float facing = even * (1.0 - clamp(turned, -darkestCrumb, darkestCrumb));
     const float seen = even > 0.0 ? sunSeen(FRAME.shadow, point.position, n) : 0.0;
-    const float below = sunBelow(leafProjectionOf(FRAME.cover), leafArea, even);
+    const vec2 among = sunAmongBlades(FRAME.bladeShadow, point.position, noBladeSeed);
+    const float below = mix(sunBelow(leafProjectionOf(FRAME.cover), leafArea, even), among.x, among.y);
     const vec3 light = hemisphere(normalize(n - crumbled)) * skyBelow(leafArea) +
                        lightAmongLeaves(leafArea, 0.0, even, seen * FRAME.sunColor, 1.25 * FRAME.skyColor,
                                         1.5 * FRAME.cover.sward) +
