@@ -2,6 +2,7 @@
 #ifndef SWARD_COMMON_LIGHTING_GLSL
 #define SWARD_COMMON_LIGHTING_GLSL
 
+#include "shaders/common/output_mode.glsl"
 #include "shaders/shared/constants.h"
 #include "shaders/shared/distance_band.h"
 #include "shaders/shared/look/blade_colors.h"
@@ -23,9 +24,6 @@
 /// Known at pipeline creation, see debugAsTold.
 layout(constant_id = idKnownDebugMode) const uint knownDebugMode = debugAsTold;
 const bool paintsWind = knownDebugMode == debugWind;
-
-/// Target of the light; known at pipeline creation.
-layout(constant_id = idOutputMode) const uint outputMode = outputFilm;
 
 /// The debug mode of the frame.
 uint debugMode()
@@ -156,10 +154,12 @@ float softness(float distance, float share)
     return share * (1.0 - smoothstep(0.6, 1.5, widthPixels));
 }
 
-/// Adds up to half a step of an 8-bit picture, as a function of the place alone, against banding in smooth gradients.
-/// `color` is linear; a step of its sRGB form is 2.2·color^(6/11) wide.
+/// Adds up to half a step of an 8-bit picture, as a function of the place alone, against banding in smooth gradients;
+/// radiance stays as it is. `color` is linear; a step of its sRGB form is 2.2·color^(6/11) wide.
 vec3 dithered(vec3 color, vec2 place)
 {
+    if (outputMode == outputRadiance)
+        return color;
     const uint h = mixUint(uint(place.x) + 65536u * uint(place.y));
     const float noise = float(h >> 8u) * (1.0 / 16777215.0) - 0.5;
     return color + noise * (2.2 / 255.0) * pow(max(color, 0.0), vec3(0.5454));

@@ -6,7 +6,7 @@
 layout(local_size_x = rasterTile, local_size_y = rasterTile) in;
 layout(push_constant, scalar) uniform Block { RasterPush push; };
 layout(set = 0, binding = 0) uniform sampler2D shaded;
-layout(set = 0, binding = 1, rgba8) uniform writeonly image2D picture;
+layout(set = 0, binding = 1, STORED_FORMAT) uniform writeonly image2D picture;
 
 #include "shaders/resolve/stored.glsl"
 

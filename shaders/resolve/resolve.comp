@@ -5,7 +5,7 @@
 
 layout(push_constant, scalar) uniform Block { RasterPush push; };
 layout(set = 0, binding = 0) uniform sampler2D opaque; // the output of light_opaque.comp
-layout(set = 0, binding = 1, rgba8) uniform writeonly image2D picture;
+layout(set = 0, binding = 1, STORED_FORMAT) uniform writeonly image2D picture;
 
 #include "shaders/resolve/stored.glsl"
 #define FRAME_SET 1

@@ -7,7 +7,7 @@
 layout(push_constant, scalar) uniform Block { RasterPush push; };
 // First the output of light_opaque.comp, then the whole pixel.
 layout(set = 0, binding = 1, rgba16f) uniform image2D shaded;
-layout(set = 2, binding = 1, rgba8) uniform writeonly image2D picture;
+layout(set = 2, binding = 1, STORED_FORMAT) uniform writeonly image2D picture;
 
 #define FRAME_SET 1
 #include "shaders/common/frame_constants.glsl"

@@ -1,6 +1,9 @@
-// Encoding of pixels in the memory of a picture. The including stage has a push constant `push` of type RasterPush.
+// Encoding of pixels in the memory of a picture: sRGB in bytes, or radiance in 16-bit floating point. The including stage has a push constant `push` of type RasterPush.
 #ifndef SWARD_RESOLVE_STORED_GLSL
 #define SWARD_RESOLVE_STORED_GLSL
+
+#include "shaders/common/output_mode.glsl"
+#include "shaders/raster/half_rounded.glsl"
 
 /// sRGB-encodes a linear colour (IEC 61966-2-1).
 vec3 encodeSrgb(vec3 c)
@@ -10,6 +13,8 @@ vec3 encodeSrgb(vec3 c)
 
 vec4 stored(vec3 color)
 {
+    if (outputMode == outputRadiance)
+        return halfRounded(vec4(color, 1.0));
     const vec3 encoded = encodeSrgb(color);
     return vec4(push.isBgr != 0u ? encoded.bgr : encoded, 1.0);
 }

@@ -52,7 +52,11 @@ void main()
     const uint kept = keptSamples(inPlace.z / max(inPlace.w, 1e-12), inSeed, FRAME.view.samples);
     gl_SampleMask[0] = int(kept);
     const BladePoint point = pointOf(BladeVaryings(inSurface, inFrame, inBend));
-    const float soft = outputMode == outputFilm ? softness(length(FRAME.view.eye - inPosition), 1.0) : 0.0;
+#ifdef HOST_LIGHT
+    const float soft = 0.0;
+#else
+    const float soft = softness(length(FRAME.view.eye - inPosition), 1.0);
+#endif
     outColor = vec4(bladePicture(point), 1.0 - soft);
 #ifdef HAS_MOTION
     outMotion = 0.5 * (inClipBefore.xy / inClipBefore.w - inClip.xy / inClip.w);

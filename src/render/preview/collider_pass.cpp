@@ -13,7 +13,8 @@ ColliderPass::ColliderPass(const gpu::DeviceContext& context, const gpu::ShaderL
     settings.vertexShader = shader::opaqueVertex;
     settings.fragmentShader = shader::colliderFragment;
     settings.pushConstantBytes = sizeof(shared::GroundPush);
-    settings.constants = {{.id = shared::idIsOfColliders, .value = 1u}};
+    settings.constants = {{.id = shared::idIsOfColliders, .value = 1u},
+                          {.id = shared::idOutputMode, .value = outputModeOf(target)}};
     settings.colorFormats = {target.colorFormat};
     settings.depthFormat = depthFormat;
     settings.samples = target.samples;

@@ -22,7 +22,8 @@ gpu::GraphicsPipeline createPipeline(const gpu::DeviceContext& context,
     settings.depthFormat = depthFormat;
     settings.samples = target.samples;
     settings.cullMode = cullMode;
-    settings.constants = {{.id = shared::idKnownDebugMode, .value = target.debugMode}};
+    settings.constants = {{.id = shared::idKnownDebugMode, .value = target.debugMode},
+                          {.id = shared::idOutputMode, .value = outputModeOf(target)}};
     return {context, shaders, settings};
 }
 

@@ -79,11 +79,13 @@ void OpaqueRasterPass::prepare(const gpu::ShaderLibrary& shaders, std::uint32_t 
         colliders_ = pipeline(shaders, "opaque/colliders", shader::rasterOpaque,
                               {{.id = shared::idIsOfColliders, .value = 1u}});
     if (!light_.contains(debugMode))
-        light_.emplace(debugMode, pipeline(shaders, "opaque/light", shader::lightOpaque,
-                                           {{.id = shared::idKnownDebugMode, .value = debugMode},
-                                            {.id = shared::idTileList,
-                                             .value = target_.sortsTiles ? shared::tilesOfOpaque
-                                                                         : shared::tileLists}}));
+        light_.emplace(
+            debugMode,
+            pipeline(shaders, "opaque/light", shader::lightOpaque,
+                     {{.id = shared::idKnownDebugMode, .value = debugMode},
+                      {.id = shared::idOutputMode, .value = outputModeOf(target_)},
+                      {.id = shared::idTileList,
+                       .value = target_.sortsTiles ? shared::tilesOfOpaque : shared::tileLists}}));
 }
 
 void OpaqueRasterPass::resize(VkExtent2D size)

@@ -1,6 +1,7 @@
 #include "render/preview/sky_pass.h"
 
 #include "render/frame/shader_names.h"
+#include "shaders/shared/constants.h"
 #include "shaders/shared/passes.h"
 
 namespace sward::render {
@@ -16,6 +17,7 @@ SkyPass::SkyPass(const gpu::DeviceContext& context, const gpu::ShaderLibrary& sh
     settings.colorFormats = {target.colorFormat};
     settings.depthFormat = depthFormat;
     settings.samples = target.samples;
+    settings.constants = {{.id = shared::idOutputMode, .value = outputModeOf(target)}};
     // The sky has the depth of the cleared picture.
     settings.depthWrite = false;
     settings.depthCompare = VK_COMPARE_OP_GREATER_OR_EQUAL;

@@ -14,7 +14,17 @@ namespace sward::render {
 namespace {
 
 /// The shader encodes what it stores; the bits are then copied to a target.
-constexpr VkFormat pictureFormat = VK_FORMAT_R8G8B8A8_UNORM;
+VkFormat pictureFormat(const TargetSettings& target)
+{
+    return target.keepsRadiance ? VK_FORMAT_R16G16B16A16_SFLOAT : VK_FORMAT_R8G8B8A8_UNORM;
+}
+
+const char* resolveShader(const TargetSettings& target)
+{
+    if (target.samples > 1)
+        return target.keepsRadiance ? shader::resolveOfFourHalves : shader::resolveOfFour;
+    return target.keepsRadiance ? shader::resolveHalves : shader::resolve;
+}
 
 /// Descriptor sets: lit images, the frame, and the picture to be filtered.
 constexpr std::uint32_t litSet = 0;
@@ -50,8 +60,10 @@ ResolvePass::ResolvePass(const gpu::DeviceContext& context, const gpu::ShaderLib
     , images_(slots)
 {
     if (target.samples > 1)
-        reconstruct_ = pipeline(shaders, "raster/reconstruct", shader::reconstruct,
-                                {{.id = shared::idTileList, .value = shared::tilesOfSoft}});
+        reconstruct_ =
+            pipeline(shaders, "raster/reconstruct",
+                     target.keepsRadiance ? shader::reconstructHalves : shader::reconstruct,
+                     {{.id = shared::idTileList, .value = shared::tilesOfSoft}});
     if (target.sortsTiles || target.samples > 1)
         tiles_.emplace(context, shaders, target.samples, target.sortsTiles);
 }
@@ -61,6 +73,7 @@ gpu::ComputePipeline ResolvePass::pipeline(const gpu::ShaderLibrary& shaders, co
                                            std::vector<gpu::SpecializationConstant> constants) const
 {
     constants.push_back({.id = shared::idSamplesPerPixel, .value = target_.samples});
+    constants.push_back({.id = shared::idOutputMode, .value = outputModeOf(target_)});
     return {*context_,
             shaders,
             {.name = name,
@@ -82,8 +95,7 @@ void ResolvePass::prepare(const gpu::ShaderLibrary& shaders, Shading shading)
         parts.push_back(
             {content.list,
              pipeline(
-                 shaders, "raster/resolve",
-                 target_.samples > 1 ? shader::resolveOfFour : shader::resolve,
+                 shaders, "raster/resolve", resolveShader(target_),
                  {{.id = shared::idKnownDebugMode, .value = shading.debugMode},
                   {.id = shared::idLimitsLeafArea, .value = shading.limitsLeafArea ? 1u : 0u},
                   {.id = shared::idTileList, .value = content.list},
@@ -121,7 +133,7 @@ void ResolvePass::aim(std::uint32_t slot, VkImageView stored)
     if (isCopied_ && picture_.get() == VK_NULL_HANDLE)
         picture_ = gpu::Image(
             *context_, {.name = "frame/picture",
-                        .format = pictureFormat,
+                        .format = pictureFormat(target_),
                         .extent = size_,
                         .usage = VK_IMAGE_USAGE_STORAGE_BIT | VK_IMAGE_USAGE_TRANSFER_SRC_BIT});
     Images& images = images_[slot];
@@ -136,7 +148,7 @@ VkDeviceSize ResolvePass::bytes() const
 
 VkDeviceSize ResolvePass::bytesToCopy() const
 {
-    constexpr VkDeviceSize bytesOfPixel = 4;
+    const VkDeviceSize bytesOfPixel = target_.keepsRadiance ? 8 : 4;
     return bytesOfPixel * size_.width * size_.height;
 }
 

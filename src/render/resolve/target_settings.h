@@ -16,6 +16,7 @@ constexpr VkFormat depthFormat = VK_FORMAT_D32_SFLOAT;
 /// Settings shared by the pipelines of all drawing passes.
 struct TargetSettings {
     VkFormat colorFormat = VK_FORMAT_R8G8B8A8_SRGB;
+    bool keepsRadiance = false; ///< the colour is radiance times exposure, without film curve
     std::uint32_t samples = 4;
     std::uint32_t debugMode = shared::debugAsTold; ///< see knownDebugMode()
     bool mayBePaged = false;                       ///< some blades may not be resident
@@ -31,6 +32,12 @@ constexpr std::uint32_t knownDebugMode(DebugMode mode)
                   std::uint32_t(DebugMode::wind) == shared::debugWind);
     return mode == DebugMode::none || mode == DebugMode::wind ? static_cast<std::uint32_t>(mode)
                                                               : shared::debugAsTold;
+}
+
+/// Specialisation for the target's light.
+constexpr std::uint32_t outputModeOf(const TargetSettings& target)
+{
+    return target.keepsRadiance ? shared::outputRadiance : shared::outputFilm;
 }
 
 /// Specialisation for shading a frame's blades.

@@ -26,7 +26,8 @@ BladePass::BladePass(const gpu::DeviceContext& context, const gpu::ShaderLibrary
     settings.colorFormats = {target.colorFormat};
     settings.depthFormat = depthFormat;
     settings.samples = target.samples;
-    settings.constants = {{.id = shared::idKnownDebugMode, .value = target.debugMode}};
+    settings.constants = {{.id = shared::idKnownDebugMode, .value = target.debugMode},
+                          {.id = shared::idOutputMode, .value = outputModeOf(target)}};
     pipeline_ = gpu::GraphicsPipeline(context, shaders, settings);
 }
 

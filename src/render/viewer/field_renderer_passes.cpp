@@ -35,6 +35,11 @@ const gpu::DeviceContext& FieldRenderer::Parts::checked(const gpu::DeviceContext
     const gpu::FormatKind kind = gpu::formatKind(wanted.colorFormat);
     requireUsage(kind == gpu::FormatKind::color, "FieldRendererSettings::colorFormat: format {} {}",
                  static_cast<int>(wanted.colorFormat), gpu::describe(kind));
+    requireUsage(!wanted.keepsRadiance || wanted.colorFormat == VK_FORMAT_R16G16B16A16_SFLOAT,
+                 "FieldRendererSettings::keepsRadiance: colorFormat is {}, not "
+                 "VK_FORMAT_R16G16B16A16_SFLOAT ({})",
+                 static_cast<int>(wanted.colorFormat),
+                 static_cast<int>(VK_FORMAT_R16G16B16A16_SFLOAT));
     return given;
 }
 

@@ -15,9 +15,13 @@ namespace sward::render {
 /// Settings of a FieldRenderer that are constant over all frames.
 struct FieldRendererSettings {
     VkFormat colorFormat = VK_FORMAT_R8G8B8A8_SRGB; ///< of all targets
-    std::uint32_t samples = 4;                      ///< 1 or 4 per pixel
-    std::uint32_t framesInFlight = 1;               ///< frames recorded before waiting for one
-    Geometry geometry = Geometry::automatic;        ///< how blades are drawn
+    /// Targets hold linear radiance times exposure instead of a picture on film: without film curve
+    /// and dither, and samples are averaged in radiance. Needs VK_FORMAT_R16G16B16A16_SFLOAT.
+    bool keepsRadiance = false;
+
+    std::uint32_t samples = 4;               ///< 1 or 4 per pixel
+    std::uint32_t framesInFlight = 1;        ///< frames recorded before waiting for one
+    Geometry geometry = Geometry::automatic; ///< how blades are drawn
 
     /// Whether the rasteriser uses its CPU variant: a thread per blade, no occlusion test between
     /// blades, and tile classification for shading. Reason: on a CPU all SIMD lanes execute every

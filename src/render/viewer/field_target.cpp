@@ -7,6 +7,7 @@ TargetSettings targetFor(const gpu::DeviceContext& context, const field::FieldVi
 {
     const bool isForCpu = wanted.rastersForCpu.value_or(context.isCpu());
     return {.colorFormat = wanted.colorFormat,
+            .keepsRadiance = wanted.keepsRadiance,
             .samples = wanted.samples,
             .mayBePaged = wanted.deviceBytes > 0,
             .looks = looksOf(field),

@@ -6,12 +6,14 @@ namespace sward::render {
 
 namespace {
 
-/// Why blades cannot be rasterised by compute shaders into targets of a format; null if they can.
-const char* obstacleToRaster(const gpu::DeviceContext& context, VkFormat colorFormat)
+/// Why blades cannot be rasterised by compute shaders into the targets; null if they can.
+const char* obstacleToRaster(const gpu::DeviceContext& context,
+                             const FieldRenderer::Settings& wanted)
 {
     if (!context.features.bufferInt64Atomics)
         return "the device has no 64-bit atomics on buffers (shaderBufferInt64Atomics)";
-    if (colorFormat != VK_FORMAT_R8G8B8A8_SRGB && colorFormat != VK_FORMAT_B8G8R8A8_SRGB)
+    if (!wanted.keepsRadiance && wanted.colorFormat != VK_FORMAT_R8G8B8A8_SRGB &&
+        wanted.colorFormat != VK_FORMAT_B8G8R8A8_SRGB)
         return "the target is neither R8G8B8A8_SRGB nor B8G8R8A8_SRGB";
     return nullptr;
 }
@@ -35,7 +37,7 @@ Geometry chooseGeometry(const gpu::DeviceContext& context, const FieldRenderer::
 {
     if (wanted.geometry == Geometry::tessellation)
         return Geometry::tessellation;
-    const char* obstacle = obstacleToRaster(context, wanted.colorFormat);
+    const char* obstacle = obstacleToRaster(context, wanted);
     if (obstacle == nullptr)
         return Geometry::raster;
     if (wanted.geometry == Geometry::raster)
@@ -49,7 +51,7 @@ const char* reasonForGeometry(const gpu::DeviceContext& context,
 {
     if (wanted.geometry != Geometry::automatic)
         return "asked for";
-    const char* obstacle = obstacleToRaster(context, wanted.colorFormat);
+    const char* obstacle = obstacleToRaster(context, wanted);
     return obstacle != nullptr ? obstacle
                                : "compute shaders draw blades faster than the tessellator";
 }

@@ -21,6 +21,15 @@ TEST(FrameNames, GiveEveryFrameTheOneNameOfAPlainPath)
     EXPECT_EQ(names.of(9), names.of(0));
 }
 
+TEST(FrameNames, EndInExrWhereThatIsWritten)
+{
+    EXPECT_TRUE(FrameNames("f_%02d.exr", true).isExr());
+    EXPECT_EQ(FrameNames("f_%02d.exr", true).of(3), "f_03.exr");
+    EXPECT_FALSE(FrameNames("f.exr.png", true).isExr());
+    EXPECT_THROW(FrameNames("f.exr"), Error);
+    EXPECT_THROW(FrameNames("f.tif", true), Error);
+}
+
 TEST(FrameNames, RefuseWhatIsNoPattern)
 {
     for (const char* pattern :

@@ -16,11 +16,13 @@ bool isDigit(char c)
 
 } // namespace
 
-FrameNames::FrameNames(const std::string& pattern)
+FrameNames::FrameNames(const std::string& pattern, bool mayBeExr)
+    : isExr_(mayBeExr && pattern.ends_with(".exr"))
 {
-    if (!pattern.ends_with(".png"))
-        fail(ErrorKind::usage, "-o: '{}' does not end in .png, the one format that is written",
-             pattern);
+    if (!isExr_ && !pattern.ends_with(".png"))
+        fail(ErrorKind::usage, "-o: '{}' does not end in {}", pattern,
+             mayBeExr ? ".png or .exr, the formats that are written"
+                      : ".png, the one format that is written");
     for (std::size_t i = 0; i < pattern.size(); ++i) {
         std::string& part = numbered_ ? after_ : before_;
         if (pattern[i] != '%') {

@@ -7,15 +7,17 @@
 namespace sward::view {
 
 /// File names of the pictures of a run: one name, or a pattern like f_%04d.png with the frame
-/// number. %% is a per cent sign.
+/// number. %% is a per cent sign. They end in .png, or in .exr where that is written, too.
 class FrameNames {
 public:
-    /// Throws Error{usage} if the pattern has another % or more than one number, or does not end in
-    /// .png.
-    explicit FrameNames(const std::string& pattern);
+    /// Throws Error{usage} if the pattern has another % or more than one number, or ends in neither
+    /// .png nor, if `mayBeExr`, .exr.
+    explicit FrameNames(const std::string& pattern, bool mayBeExr = false);
 
     /// Whether each frame has a name of its own.
     bool numbered() const { return numbered_; }
+
+    bool isExr() const { return isExr_; } ///< else PNG
 
     std::filesystem::path of(std::uint64_t frame) const;
 
@@ -24,6 +26,7 @@ private:
     std::string after_;
     int digits_ = 0;
     bool numbered_ = false;
+    bool isExr_ = false;
 };
 
 } // namespace sward::view

@@ -129,7 +129,7 @@ int bench(BenchOptions& options, const CLI::App& command)
         fail(ErrorKind::usage, "FILE is missing: a scene, or fields");
     const std::optional<SceneField> field = openScene(options, command);
     Headless::requireTime(options.frame, std::uint64_t(options.warmup) + options.frames);
-    Headless headless(options.frame, false);
+    Headless headless(options.frame, {});
     headless.stream(0);
 
     const WarmUp warmUp = measureFrames(headless, options);

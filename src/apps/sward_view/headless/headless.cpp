@@ -11,11 +11,13 @@
 
 #include <algorithm>
 #include <chrono>
+#include <cstring>
 
 namespace sward::view {
 namespace {
 
-constexpr VkFormat pictureFormat = VK_FORMAT_R8G8B8A8_SRGB;
+constexpr VkFormat filmFormat = VK_FORMAT_R8G8B8A8_SRGB;
+constexpr VkFormat radianceFormat = VK_FORMAT_R16G16B16A16_SFLOAT;
 constexpr std::uint32_t slot = 0; ///< one frame at a time
 
 constexpr std::uint32_t referencePictures = 256;
@@ -27,15 +29,15 @@ constexpr int referenceSegments = 16;
 /// Render target. Shaders store into it only if they rasterise and the device supports it:
 /// otherwise storage usage would slow down the graphics unit's writes.
 gpu::ImageSettings targetFor(const gpu::DeviceContext& context, glm::uvec2 size,
-                             render::Geometry geometry)
+                             render::Geometry geometry, bool isRadiance)
 {
     gpu::ImageSettings settings{.name = "picture",
-                                .format = pictureFormat,
+                                .format = isRadiance ? radianceFormat : filmFormat,
                                 .extent = {size.x, size.y},
                                 .usage = VK_IMAGE_USAGE_COLOR_ATTACHMENT_BIT |
                                          VK_IMAGE_USAGE_TRANSFER_SRC_BIT |
                                          VK_IMAGE_USAGE_TRANSFER_DST_BIT,
-                                .storedAs = VK_FORMAT_R8G8B8A8_UNORM};
+                                .storedAs = isRadiance ? radianceFormat : VK_FORMAT_R8G8B8A8_UNORM};
     if (geometry == render::Geometry::tessellation || !gpu::isSupported(context, settings))
         settings.storedAs = VK_FORMAT_UNDEFINED;
     return settings;
@@ -75,7 +77,7 @@ float aspectOf(glm::uvec2 size)
 
 } // namespace
 
-Headless::Headless(const FrameOptions& options, bool recordCullResults)
+Headless::Headless(const FrameOptions& options, Wanted wanted)
     : options_(options)
     , files_(readAll(options.fields))
     , fields_(membersOf(files_, options.fields))
@@ -88,24 +90,27 @@ Headless::Headless(const FrameOptions& options, bool recordCullResults)
     , instance_(createInstance(options.validation))
     , device_(instance_, {.selection = options.device})
     , samples_(options.samples.value_or(4))
-    , target_(device_.context(), targetFor(device_.context(), options.size, options.geometry))
-    , renderer_(
-          device_, fields_.view(),
-          {.colorFormat = pictureFormat,
-           .samples = samples_,
-           .framesInFlight = 1,
-           .geometry = options.geometry,
-           .rastersForCpu = options.rastersForCpu,
-           .recordCullResults = recordCullResults || options.debug == render::DebugMode::reason,
-           .deviceBytes = options.gpuMemory,
-           .largestTarget = options.size,
-           .waitsForDisk = true})
+    , target_(device_.context(),
+              targetFor(device_.context(), options.size, options.geometry, wanted.radiance))
+    , renderer_(device_, fields_.view(),
+                {.colorFormat = target_.format(),
+                 .keepsRadiance = wanted.radiance,
+                 .samples = samples_,
+                 .framesInFlight = 1,
+                 .geometry = options.geometry,
+                 .rastersForCpu = options.rastersForCpu,
+                 .recordCullResults = wanted.blades || options.debug == render::DebugMode::reason,
+                 .deviceBytes = options.gpuMemory,
+                 .largestTarget = options.size,
+                 .waitsForDisk = true})
     , timestamps_(device_.context(), {.slots = 1})
     , ring_(device_.context(), 1)
 {
     // Cull results need the motion of every blade.
-    if (recordCullResults)
+    if (wanted.blades)
         settings_.leavesThinned = false;
+    if (wanted.radiance)
+        settings_.exposure = 1.0f;
 }
 
 void Headless::requireTime(const FrameOptions& options, std::uint64_t last)
@@ -178,19 +183,40 @@ Picture Headless::picture()
     return {options_.size, {first, first + bytes.size()}};
 }
 
-Picture Headless::reference(std::uint64_t frame)
+Radiance Headless::radiance()
+{
+    const std::vector<std::byte> bytes =
+        gpu::readImage(device_.context(), target_, gpu::ImageUse::colorTarget);
+    Radiance picture{options_.size, std::vector<std::uint16_t>(bytes.size() / 2)};
+    std::memcpy(picture.rgba.data(), bytes.data(), bytes.size());
+    return picture;
+}
+
+void Headless::drawReference(std::uint64_t frame, const std::function<void()>& use)
 {
     render::FrameSettings everything = settings_;
     everything.cullMask = 0;
     everything.levelOfDetail = false;
     if (everything.tessellationLevel == 0)
         everything.tessellationLevel = referenceSegments;
-    PictureMean sum(options_.size);
     for (std::uint32_t i = 0; i < referencePictures; ++i) {
         record(everything, timeOf(frame), subpixelOffset(i));
-        sum.add(picture());
+        use();
     }
+}
+
+Picture Headless::reference(std::uint64_t frame)
+{
+    PictureMean sum(options_.size);
+    drawReference(frame, [&] { sum.add(picture()); });
     return sum.mean(referencePictures);
+}
+
+Radiance Headless::referenceRadiance(std::uint64_t frame)
+{
+    RadianceMean sum(options_.size);
+    drawReference(frame, [&] { sum.add(radiance()); });
+    return sum.mean();
 }
 
 void Headless::forgetTimes()

@@ -3,6 +3,7 @@
 #include "apps/sward_view/fields/field_group.h"
 #include "apps/sward_view/headless/stats_json.h"
 #include "apps/sward_view/picture/png.h"
+#include "apps/sward_view/picture/radiance.h"
 #include "apps/sward_view/scene/camera_path.h"
 #include "apps/sward_view/scene/frame_options.h"
 #include "field/read.h"
@@ -16,6 +17,7 @@
 #include <glm/vec2.hpp>
 
 #include <cstdint>
+#include <functional>
 #include <vector>
 
 namespace sward::view {
@@ -24,10 +26,15 @@ namespace sward::view {
 /// is at time 0, after the renderer has brought the blades to rest.
 class Headless {
 public:
+    /// What is called for besides counts and times.
+    struct Wanted {
+        bool blades = false;   ///< blades()
+        bool radiance = false; ///< radiance() instead of picture(); the exposure is 1
+    };
+
     /// Reads the fields first, so that a wrong file is also reported on a machine without a device.
-    /// `recordCullResults`: whether blades() will be called. Throws as readField(), join(), Device
-    /// and FieldRenderer do.
-    Headless(const FrameOptions& options, bool recordCullResults);
+    /// Throws as readField(), join(), Device and FieldRenderer do.
+    Headless(const FrameOptions& options, Wanted wanted);
 
     /// Throws Error{usage} if the time of `last`, a frame's number, is beyond render::longestTime.
     static void requireTime(const FrameOptions& options, std::uint64_t last);
@@ -41,12 +48,14 @@ public:
     /// Moves the blades to `frame` without drawing.
     void skip(std::uint64_t frame);
 
-    /// The last picture.
+    /// The last picture, on film or as radiance.
     Picture picture();
+    Radiance radiance();
 
     /// Reference picture of `frame`: without culling and level of detail, the mean in linear light
     /// of 256 pictures of one frozen state, each shifted by less than a pixel.
     Picture reference(std::uint64_t frame);
+    Radiance referenceRadiance(std::uint64_t frame);
 
     /// Resets the measured times.
     void forgetTimes();
@@ -61,6 +70,9 @@ public:
 private:
     double timeOf(std::uint64_t frame) const;
     void record(const render::FrameSettings& settings, double time, glm::vec2 jitter);
+
+    /// Draws the pictures of a reference, and calls `use` after each.
+    void drawReference(std::uint64_t frame, const std::function<void()>& use);
 
     const FrameOptions& options_;
     std::vector<field::MappedField> files_;

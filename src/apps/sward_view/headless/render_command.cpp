@@ -53,7 +53,7 @@ void checkOutputs(const RenderOptions& options, const FrameNames& names)
                 fail(ErrorKind::usage, "{}: is read and would be overwritten", path);
         apps::requireOutput(path, extension, options.force);
     };
-    require(names.of(options.lastFrame).string(), ".png");
+    require(names.of(options.lastFrame).string(), names.isExr() ? ".exr" : ".png");
     require(options.stats, ".json");
     require(options.dump, ".csv");
 
@@ -73,6 +73,22 @@ void checkOutputs(const RenderOptions& options, const FrameNames& names)
         fail(ErrorKind::usage, "{}: two outputs have the same name", twin->string());
 }
 
+/// Draws a frame and writes its picture.
+void writeFrame(const RenderOptions& options, const FrameNames& names, Headless& headless,
+                std::uint64_t frame)
+{
+    if (!options.reference) {
+        headless.stream(frame);
+        headless.draw(frame);
+    }
+    if (names.isExr())
+        writeExr(options.reference ? headless.referenceRadiance(frame) : headless.radiance(),
+                 names.of(frame), options.force);
+    else
+        writePng(options.reference ? headless.reference(frame) : headless.picture(),
+                 names.of(frame), options.force);
+}
+
 // Simulates up to the first frame, then draws and writes the requested outputs.
 void drawFrames(const RenderOptions& options, const FrameNames& names, Headless& headless)
 {
@@ -84,14 +100,11 @@ void drawFrames(const RenderOptions& options, const FrameNames& names, Headless&
         progress.advance(1);
     }
     for (std::uint64_t frame = options.firstFrame; frame <= options.lastFrame; ++frame) {
-        const bool wanted = names.numbered() || frame == options.lastFrame;
-        if (wanted && options.reference) {
-            writePng(headless.reference(frame), names.of(frame), options.force);
+        if (names.numbered() || frame == options.lastFrame) {
+            writeFrame(options, names, headless, frame);
         } else {
             headless.stream(frame);
             headless.draw(frame);
-            if (wanted)
-                writePng(headless.picture(), names.of(frame), options.force);
         }
         progress.advance(1);
     }
@@ -100,7 +113,7 @@ void drawFrames(const RenderOptions& options, const FrameNames& names, Headless&
 int render(const RenderOptions& options)
 {
     options.frame.log.apply();
-    const FrameNames names(options.output);
+    const FrameNames names(options.output, true);
     checkOutputs(options, names);
     Headless::requireTime(options.frame, options.lastFrame);
     // Ids are unique only within one field; two fields of one mesh have equal ids.
@@ -108,7 +121,12 @@ int render(const RenderOptions& options)
         fail(ErrorKind::usage, "--dump-blades: {} fields are drawn; it writes the blades of one",
              options.frame.fields.size());
 
-    Headless headless(options.frame, !options.dump.empty());
+    if (names.isExr() && options.frame.debug != render::DebugMode::none)
+        fail(ErrorKind::usage,
+             "--debug: paints colours, and {} would hold radiance; write a .png of it",
+             options.output);
+
+    Headless headless(options.frame, {.blades = !options.dump.empty(), .radiance = names.isExr()});
     checkOutputs(options, names); // against the files of settings, cameras and masks
     if (headless.isStreamed() && (options.reference || !options.dump.empty()))
         fail(ErrorKind::usage,
@@ -137,9 +155,11 @@ void addRenderCommand(CLI::App& app, apps::Command& chosen)
         ->type_name("")
         ->required();
     command
-        ->add_option("-o,--output", options->output,
-                     "Picture to write; with %d or %04d in its name one for each frame")
-        ->type_name("PNG")
+        ->add_option(
+            "-o,--output", options->output,
+            "Picture to write: .png, or .exr with linear radiance as 16-bit R G B, before exposure "
+            "and film curve; with %d or %04d in its name one for each frame")
+        ->type_name("OUT")
         ->required();
     options->frame.addShared(*command);
     options->frame.addMeasured(*command);
