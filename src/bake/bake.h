@@ -8,6 +8,7 @@
 #include "terrain/ground_mesh.h"
 
 #include <string>
+#include <vector>
 
 namespace sward::bake {
 
@@ -17,6 +18,11 @@ struct BakeResult {
     Report report;      ///< the caller fills input.path, output, load and write times and
                         ///< peak memory
 };
+
+/// The masks for settings that name none, neither for all species nor for one: ground:green where
+/// the colours of the bearing ground tell grass from bare ground (GreenShares::matter()), otherwise
+/// none. Empty for other settings. `sward bake` applies it, and bakeField() does not.
+std::vector<Mask> defaultMasks(const terrain::GroundMesh& ground, const BakeSettings& settings);
 
 /// Grows a field on `ground`. `threads` 0: all threads of the machine. The result has the same
 /// bytes for any number of threads. Throws Error{usage} for settings out of range, Error{input}

@@ -54,7 +54,7 @@ std::string toJson(const Report& report)
     if (report.colors)
         object["ground_colors"] = {{"green", report.colors->green},
                                    {"bare", report.colors->bare},
-                                   {"proposes_mask", report.proposesGreen}};
+                                   {"chosen_mask", report.maskChosen}};
     object["masks"] = ordered_json::array();
     for (const Report::MaskUse& use : report.masks)
         object["masks"].push_back({{"mask", use.mask}, {"reads", use.reads}});

@@ -74,7 +74,7 @@ struct Report {
     bool slopeChosen = false;      ///< by the ground's shape, not by a setting
     SoftRange slope;               ///< [degrees] of the filter, as requested or chosen
     std::optional<GreenShares> colors; ///< of the bearing ground; none if it has no colours
-    bool proposesGreen = false;        ///< the colours matter, and no mask reads them
+    bool maskChosen = false;           ///< ground:green, by the colours and not by a setting
     /// A mask, also of a species.
     struct MaskUse {
         std::string mask;  ///< as an option says it

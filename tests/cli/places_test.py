@@ -261,12 +261,13 @@ class Places(CliTest):
         # Green at the west, rock at the east; between 0 and 1 m the colours mix.
         green, rock = (0.1, 0.3, 0.05, 1.0), (0.3, 0.3, 0.3, 1.0)
         self.write("isle.glb", glb_bytes(square(16.0, 16, lambda x, z: green if x <= 0 else rock)))
-        done = self.sward("bake", "isle.glb", "-o", "all.sward", "--report", "all.json", "--density", "40")
-        self.assertRegex(done.stderr, r"5\d % of the ground is green and 4\d % .*--mask ground:green")
+        done = self.sward("bake", "isle.glb", "-o", "all.sward", "--report", "all.json", "--density", "40", "--mask", "none")
+        self.assertNotIn("is green", done.stderr)
         colors = self.read_json("all.json")["ground_colors"]
         self.assertAlmostEqual(colors["green"], 0.53, delta=0.03)
         self.assertAlmostEqual(colors["green"] + colors["bare"], 1.0, delta=0.04)
-        self.assertTrue(colors["proposes_mask"])
+        self.assertFalse(colors["chosen_mask"])
+        self.assertGreater(sum(b.root[0] > 4 for b in self.blades(self.folder / "all.sward")), 500)
 
         roots = [b.root[0] for b in self.grown("isle.glb", "--mask", "ground:green")]
         self.assertLess(max(roots), 1.0)
@@ -276,8 +277,40 @@ class Places(CliTest):
         done = self.sward("bake", "isle.glb", "-o", "some.sward", "--mask", "ground:green", "--report",
                           "some.json", "--density", "40")
         self.assertNotIn("is green", done.stderr)
-        self.assertFalse(self.read_json("some.json")["ground_colors"]["proposes_mask"])
+        self.assertFalse(self.read_json("some.json")["ground_colors"]["chosen_mask"])
         self.assertEqual(self.info("some.sward")["provenance"]["settings"]["masks"], ["ground:green"])
+
+    def test_a_ground_that_is_green_in_part_bears_grass_there(self):
+        """By its image; the same as with the mask, and one line says so."""
+        def hill(name, left, right):
+            self.write(f"{name}.png", color_png(2, 1, bytes([*left, *right])))
+            mesh = square(16.0, 8)
+            self.write(f"{name}.gltf", textured_gltf(mesh, [(x / 16.0 + 0.5, z / 16.0 + 0.5) for x, _, z in mesh.positions],
+                                                     f"{name}.png", {"wrapS": 33071, "wrapT": 33071}))
+            return f"{name}.gltf"
+
+        green, grey, brown = (70, 125, 50), (128, 128, 128), (110, 80, 50)
+        half = hill("half", green, grey)
+        done = self.sward("bake", half, "-o", "half.sward", "--report", "half.json", "--density", "40")
+        lines = [line for line in done.stderr.splitlines() if "is green" in line]
+        self.assertEqual(len(lines), 1)
+        self.assertIn("--mask none grows it on all", lines[0])
+        self.assertTrue(self.read_json("half.json")["ground_colors"]["chosen_mask"])
+        self.assertLess(max(b.root[0] for b in self.blades(self.folder / "half.sward")), 4.0)
+        self.bake(half, "--density", "40", "--mask", "ground:green", to="f.sward")
+        self.assertEqual((self.folder / "f.sward").read_bytes(), (self.folder / "half.sward").read_bytes())
+        # What a meadow file says of masks, and --mask none, wins.
+        for wish in (("--mask", "none"), ("--set", "species.0.mask=ground:green:invert"), ("--mask", "material-texture:G")):
+            with self.subTest(wish=wish):
+                done = self.sward("bake", half, "-o", "f.sward", "--density", "40", "--force", *wish)
+                self.assertNotIn("is green", done.stderr)
+                self.assertGreater(max(b.root[0] for b in self.blades(self.folder / "f.sward")), 7.0)
+        for name, colors in (("green", (green, green)), ("brown", (brown, brown))):
+            with self.subTest(name=name):
+                done = self.sward("bake", hill(name, *colors), "-o", "f.sward", "--density", "40", "--force")
+                self.assertNotIn("is green", done.stderr)
+                self.assertEqual(self.info("f.sward")["provenance"]["settings"]["masks"], [])
+        self.refused("bake", half, "-o", "g.sward", "--mask", "none", "--mask", "ground:green", code=USAGE, names=["--mask none"])
 
     def test_a_ground_without_colours_has_no_green(self):
         for ground in ("hills", self.write("plain.glb", glb_bytes(square(4.0)))):

@@ -115,6 +115,7 @@ public:
 
         // Fill in values known only here.
         report.slopeChosen = request.choosesSlope;
+        report.maskChosen = request.choosesMask;
         report.input.path = fmt::format("{}", fmt::join(request.inputs, ", "));
         report.timing.load = loading;
         report.timing.topology += connecting;

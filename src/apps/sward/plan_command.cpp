@@ -81,6 +81,9 @@ public:
         if (request.choosesSlope)
             plan.arguments.insert(plan.arguments.begin(), // before "--"
                                   "--slope=" + bake::textOf(request.settings.slope));
+        for (const bake::Mask& mask : request.settings.masks)
+            if (request.choosesMask)
+                plan.arguments.insert(plan.arguments.begin(), "--mask=" + bake::textOf(mask));
         plan.folder = fs::current_path().string();
         plan.paint = bake::hashOf(request.settings.strokes);
         std::size_t triangles = 0;
@@ -116,6 +119,7 @@ private:
         plan.plan = bake::planWhole({ground, features}, settings, diagnostics, progress);
         bake::Report& report = plan.report;
         report = bake::reportOf(ground, settings, 0);
+        report.maskChosen = request.choosesMask;
         report.input.path = fmt::format("{}", fmt::join(request.inputs, ", "));
         report.bladeScale = plan.plan.plan.scale;
         report.warnings = diagnostics.warnings();

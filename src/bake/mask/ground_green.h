@@ -44,8 +44,9 @@ struct GreenShares {
     double green = 0.0; ///< greenWeight() ≥ 0.5
     double bare = 0.0;  ///< greenWeight() < 0.25
 
-    /// Whether colours tell grass from bare ground: at least 0.1 of each.
-    bool matter() const { return green >= 0.1 && bare >= 0.1; }
+    /// Whether colours tell grass from bare ground: at least 0.1 of each, and 0.75 of both. Shades
+    /// from green to brown that run into each other do not.
+    bool matter() const { return green >= 0.1 && bare >= 0.1 && green + bare >= 0.75; }
 };
 
 /// Estimates the shares from 16384 places, within 0.01 (standard error below 0.004). None without

@@ -79,7 +79,7 @@ json groundJson(const Report& report)
             {"hash", report.input.hash},
             {"seed", report.seed},
             {"colors", colors ? json{colors->green, colors->bare} : json()},
-            {"proposes_green", report.proposesGreen},
+            {"chosen_mask", report.maskChosen},
             {"warnings", report.warnings}};
 }
 
@@ -97,7 +97,7 @@ Report groundReport(const json& ground, const std::string& place)
     report.seed = wholeNumberOf(ground, "seed", place + ": ground");
     if (const json& colors = ground.at("colors"); !colors.is_null())
         report.colors = GreenShares{colors.at(0).get<double>(), colors.at(1).get<double>()};
-    ground.at("proposes_green").get_to(report.proposesGreen);
+    ground.at("chosen_mask").get_to(report.maskChosen);
     ground.at("warnings").get_to(report.warnings);
     return report;
 }

@@ -141,8 +141,6 @@ Report reportOf(const terrain::GroundMesh& ground, const BakeSettings& settings,
     report.threads = threads;
     const double scale = settings.bladeScale.value_or(automaticScale(report.input.area));
     report.colors = greenShares(ground, scale, masksByVertexColor(settings));
-    report.proposesGreen =
-        report.colors && report.colors->matter() && settings.masks.empty() && !needsGreen(settings);
     return report;
 }
 

@@ -355,13 +355,13 @@ class Tiles(ClusterTest):
         self.refused("merge", "plan.json", "tiles", "-o", "x.sward", "--report", "x.sward", code=USAGE,
                      names=["x.sward"])
 
-    def test_plan_and_merge_propose_the_ground_s_own_green(self):
+    def test_plan_and_merge_choose_the_ground_s_own_green(self):
         green, rock = (0.1, 0.3, 0.05, 1.0), (0.3, 0.3, 0.3, 1.0)
         (self.folder / "isle.glb").write_bytes(glb_bytes(
             square(160.0, cells=40, color_of=lambda x, z: green if x < 0 else rock)))
         self.ground = "isle.glb"
         whole = self.report(self.ground, "--density", "0.5")
-        self.assertTrue(whole["ground_colors"]["proposes_mask"])
+        self.assertTrue(whole["ground_colors"]["chosen_mask"])
         planned = self.sward("plan", self.ground, "--tiles", TILES, "-o", "plan.json", "--density", "0.5")
         self.assertIn("--mask ground:green", planned.stderr)
         for index in range(TILES):
@@ -369,6 +369,7 @@ class Tiles(ClusterTest):
         done = self.sward("merge", "plan.json", "tiles", "-o", "merged.sward", "--report", "m.json")
         self.assertIn("--mask ground:green", done.stderr)
         self.assertEqual(self.read_json("m.json")["ground_colors"], whole["ground_colors"])
+        self.assertEqual(self.info("merged.sward")["provenance"]["settings"]["masks"], ["ground:green"])
 
     def test_merge_says_why_nothing_grows(self):
         done = self.sward("bake", self.ground, "-o", "none.sward", "--density", "1", "--altitude", "900:")

@@ -53,6 +53,12 @@ TEST(BakeArguments, NameAMeadowOfTheUsersOwnInsteadOfABuiltInOne)
     EXPECT_THAT(bakeArguments(requests), ElementsAre("hills", "--meadow", "moor.json"));
 }
 
+TEST(RequestsOf, AFieldWithoutMasksNameNone)
+{
+    EXPECT_EQ(requestsOf(R"({"settings": {"masks": []}})").masks, "none");
+    EXPECT_EQ(requestsOf(R"({"settings": {}})").masks, "");
+}
+
 TEST(RequestsOf, AFieldAreThoseItWasBakedWith)
 {
     const MeadowRequests requests = requestsOf(

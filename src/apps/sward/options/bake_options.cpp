@@ -49,6 +49,20 @@ bool readsBareNames(const std::string& text, const std::vector<bake::Mask>& mask
     return text == "known" || (text == "auto" && !isPainted);
 }
 
+// "none" stands alone: no mask, and none of the ground's colours.
+std::vector<bake::Mask> masksOf(const std::vector<std::string>& texts)
+{
+    std::vector<bake::Mask> masks;
+    for (const std::string& text : texts) {
+        if (text != "none")
+            masks.push_back(bake::parseMask(text));
+        else if (texts.size() > 1)
+            fail(ErrorKind::usage, "--mask none: there are {} more masks; none stands alone",
+                 texts.size() - 1);
+    }
+    return masks;
+}
+
 // Reads strokes that use the species of a meadow.
 bake::Strokes paintOf(const std::string& file, const bake::Meadow& meadow)
 {
@@ -143,7 +157,9 @@ void BakeOptions::addGround(CLI::App& app)
            });
     app.add_option_function<std::vector<double>>(
            "--extent",
-           [&map](const std::vector<double>& sides) { map.extent = {sides.at(0), sides.at(1)}; },
+           [&map](const std::vector<double>& sides) {
+               map.extent = {sides.at(0), sides.at(1)};
+           },
            "Size of a heightmap along x and z in metres")
         ->default_str("1 m from sample to sample")
         ->expected(2)
@@ -268,8 +284,9 @@ void BakeOptions::addPlaces(CLI::App& app)
         "texture:FILE[:C] or material-texture:C, or ground:green, which is 1 where the ground's "
         "own colour is that of grass; C is R, G, B or A; a texture lies at TEXCOORD_0, with :uv1 "
         "at another set, with :transform as the material's image; :or-white makes vertex colours "
-        "white in parts without any; :invert may follow; may be repeated")
-        ->allow_extra_args(false);
+        "white in parts without any; :invert may follow; may be repeated; none: no mask")
+        ->allow_extra_args(false)
+        ->default_str("ground:green where the ground is clearly green in part, else none");
     option("--exclude", excluded_, "FILE[:margin M]",
            "No grass above, below or within M metres of these meshes; M is 0 to 1e9, 0 if left "
            "out");
@@ -394,15 +411,16 @@ BakeRequest BakeOptions::requestWith(const std::string* provenance, const std::s
         settings.border = bake::parseSoftMinimum("--border", border_);
     if (!water_.empty())
         settings.water = bake::parseSoftMinimum("--above-water", water_);
-    for (const std::string& mask : masks_)
-        settings.masks.push_back(bake::parseMask(mask));
+    settings.masks = masksOf(masks_);
     for (const std::string& area : joinMargins(excluded_))
         settings.excluded.push_back(bake::parseExcludedArea(area));
     settings.meadow = bake::withAssignments(bake::loadMeadow(meadow_), assignments_);
     settings.strokes.file = paint_;
+    request.choosesMask = masks_.empty();
     if (provenance != nullptr) {
         settings = bake::bakedSettings(*provenance, settings, place);
         request.choosesSlope = false;
+        request.choosesMask = false;
     }
     request.import.bareNames = readsBareNames(bareNames_, settings.masks);
     if (!paint_.empty())

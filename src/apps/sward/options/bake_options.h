@@ -31,6 +31,8 @@ struct BakeRequest {
     std::uint32_t paintMaskSize = 1024; ///< texels on a side
     double moveStrokes = 0.0;           ///< [m] that strokes are moved onto the ground; 0: stay
     bool choosesSlope = false; ///< no --slope, front sides: bake::defaultSlope() of the ground
+    bool choosesMask =
+        false; ///< no --mask: bake::defaultMasks() of the ground; false if it has none
     bool dryRun = false;
     bool overwrite = false;
 

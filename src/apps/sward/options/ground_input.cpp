@@ -2,6 +2,7 @@
 
 #include "apps/common/interrupt.h"
 #include "apps/sward/options/excluded_input.h"
+#include "bake/bake.h"
 #include "bake/filter/default_slope.h"
 #include "bake/paint/stroke_move.h"
 #include "bake/settings/stroke_file.h"
@@ -150,6 +151,9 @@ terrain::GroundMesh loadGround(BakeRequest& request, Diagnostics& diagnostics)
         moveStrokes(ground, request);
     if (request.choosesSlope)
         request.settings.slope = bake::defaultSlope(ground, request.settings.groundUp);
+    if (request.choosesMask)
+        request.settings.masks = bake::defaultMasks(ground, request.settings);
+    request.choosesMask = request.choosesMask && !request.settings.masks.empty();
     loadExcluded(request, diagnostics);
     return ground;
 }

@@ -84,11 +84,12 @@ std::string slopeLine(const bake::Report& report)
 
 std::string colorLine(const bake::Report& report)
 {
-    if (!report.proposesGreen)
+    if (!report.maskChosen || !report.colors)
         return {};
     return fmt::format(
         "by its own colours {:.0f} % of the ground is green and {:.0f} % is earth, rock, "
-        "sand or water; --mask ground:green grows grass on the green",
+        "sand or water: grass grows on the green (--mask ground:green); --mask none grows it on "
+        "all",
         100.0 * report.colors->green, 100.0 * report.colors->bare);
 }
 

@@ -20,7 +20,7 @@ std::string rejectionLine(const bake::Report& report);
 /// "load 0.1 s, topology 0.2 s, …"
 std::string timingLine(const bake::Report::Timing& timing);
 
-/// Proposes --mask ground:green, where the report does; else empty.
+/// Says that the ground's colours chose --mask ground:green, if they did; else empty.
 std::string colorLine(const bake::Report& report);
 
 /// Prints the result of a bake: warnings and reasons on the log, the result line on stdout.

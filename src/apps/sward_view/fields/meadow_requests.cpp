@@ -80,6 +80,9 @@ MeadowRequests requestsOf(const std::string& provenance)
             if (!text.empty() && !text.starts_with("texture:"))
                 requests.masks += (requests.masks.empty() ? "" : " ") + text;
         }
+    // The ground's colours choose no mask for a field that was baked without one.
+    if (masks != settings->end() && masks->is_array() && masks->empty())
+        requests.masks = "none";
     const auto meadow = settings->find("meadow");
     if (meadow != settings->end() && meadow->is_object())
         for (std::size_t i = 0; i < std::size(meadowPresets); ++i)

@@ -77,9 +77,11 @@ void drawMeadowPanel(Controls& controls, ViewerState& state)
                     "Largest slope on which grass grows; undersides are above 90°");
     controls.number("Slope fades", meadow.slopeSoft, {0.0f, 90.0f, "°", "%.0f"},
                     "Width over which grass thins out beyond both limits");
-    controls.text("Masks", meadow.masks, "vertex-color:R",
-                  "Multiply the density: vertex-color:C, texture:FILE:C or material-texture:C, "
-                  "with C one of R G B A and perhaps :invert; separated by blanks");
+    controls.text(
+        "Masks", meadow.masks, "vertex-color:R",
+        "Multiply the density: vertex-color:C, texture:FILE:C or material-texture:C, "
+        "with C one of R G B A, or ground:green, and perhaps :invert; separated by "
+        "blanks. Empty: the green of ground that is clearly green in part; none: no mask");
     controls.text("Changed keys", meadow.traits, "clump_size_m=1",
                   "Changes of the meadow's keys: KEY=VALUE as for sward bake --set, separated by "
                   "blanks");

@@ -1,3 +1,4 @@
+#include "bake/bake.h"
 #include "bake/filter/root_filter.h"
 #include "bake/mask/ground_green.h"
 #include "core/error.h"
@@ -220,7 +221,63 @@ TEST(GreenShares, AreThoseOfTheArea)
     EXPECT_TRUE(shares->matter());
     EXPECT_FALSE((GreenShares{.green = 0.09, .bare = 0.91}).matter());
     EXPECT_FALSE((GreenShares{.green = 0.91, .bare = 0.09}).matter());
+    EXPECT_FALSE((GreenShares{.green = 0.37, .bare = 0.37}).matter());
     EXPECT_FALSE(greenShares(meshes::square(2.0), 1.0, false));
+}
+
+// The texts of the default masks of a square of 40 m, green west of `edge` and `other` east of it.
+std::vector<std::string> chosenFor(std::uint32_t edge, glm::dvec3 other,
+                                   const BakeSettings& settings = tests::plainSettings(1.0))
+{
+    const terrain::GroundMesh mesh = painted(40.0, imageOf(64, [&](std::uint32_t x, std::uint32_t) {
+                                                 return x < edge ? grass : other;
+                                             }));
+    std::vector<std::string> texts;
+    for (const Mask& mask : defaultMasks(mesh, settings))
+        texts.push_back(textOf(mask));
+    return texts;
+}
+
+TEST(DefaultMasks, AreTheGreenWhereTheGroundIsClearlyGreenAndClearlyNot)
+{
+    const glm::dvec3 brown = rgb(110, 80, 50);
+    const std::vector<std::string> green{"ground:green"};
+    const std::vector<std::string> none;
+    EXPECT_EQ(chosenFor(32, rock), green);
+    EXPECT_EQ(chosenFor(32, brown), green);
+    EXPECT_EQ(chosenFor(10, rock), green);
+    EXPECT_EQ(chosenFor(54, rock), green);
+    EXPECT_EQ(chosenFor(64, rock), none) << "all green";
+    EXPECT_EQ(chosenFor(0, brown), none) << "all brown";
+    EXPECT_EQ(chosenFor(4, rock), none) << "a few green specks";
+    EXPECT_EQ(chosenFor(60, rock), none) << "a few rocks";
+    // Between grass and sand; a third of the ground is neither.
+    EXPECT_EQ(chosenFor(20, fromHsv(55.0, 0.4, 0.7)), none);
+    EXPECT_TRUE(defaultMasks(meshes::square(2.0), tests::plainSettings(1.0)).empty())
+        << "no colours";
+}
+
+TEST(DefaultMasks, AreThoseOfVertexColoursToo)
+{
+    terrain::GroundMesh mesh = terrain::heightfield({glm::dvec2(40.0), glm::uvec2(16U)},
+                                                    [](double, double) { return 0.0; });
+    mesh.materials[0].baseColor = glm::vec4(1.0f);
+    mesh.hasColors = true;
+    mesh.colors.clear();
+    for (const glm::vec3& position : mesh.positions)
+        mesh.colors.emplace_back(position.x < 0.0f ? glm::vec4(0.1f, 0.3f, 0.05f, 1.0f)
+                                                   : glm::vec4(0.3f, 0.3f, 0.3f, 1.0f));
+    EXPECT_EQ(defaultMasks(mesh, tests::plainSettings(1.0)).size(), 1u);
+}
+
+TEST(DefaultMasks, AreNoneWhereOneIsNamed)
+{
+    BakeSettings settings = tests::plainSettings(1.0);
+    settings.masks = {parseMask("material-texture:R")};
+    EXPECT_TRUE(chosenFor(32, rock, settings).empty());
+    settings = tests::plainSettings(1.0);
+    settings.meadow.species.back().habitat.masks = {parseMask("ground:green:invert")};
+    EXPECT_TRUE(chosenFor(32, rock, settings).empty());
 }
 
 TEST(Masks, NameTheGroundsGreen)
