@@ -8,6 +8,7 @@
 #include "shaders/shared/culling.h"
 #include "shaders/shared/environment.h"
 #include "shaders/shared/eyepoint.h"
+#include "shaders/shared/floor_plane.h"
 #include "shaders/shared/host_light.h"
 #include "shaders/shared/occlusion.h"
 #include "shaders/shared/organ.h"
@@ -135,8 +136,9 @@ struct Frame {
         fogFalloff; ///< [1/m] the air thins upwards as exp(−falloff · height); 0: constant density
     float lowSun;   ///< [0, 1]: 1 for a sun on the horizon or below
 
-    uint tick;         ///< time of the frame, see ticksPerSecond
-    uint reserved[49]; ///< padding: consecutive frames meet any offset alignment of constants
+    uint tick;             ///< time of the frame, see ticksPerSecond
+    FloorPlane floorPlane; ///< below the viewer's ground
+    uint reserved[38];     ///< padding: consecutive frames meet any offset alignment of constants
 };
 SHARED_LAYOUT(Frame, 2048)
 

@@ -59,6 +59,15 @@ void expectNumbers(const gpu::DeviceContext& context, std::uint64_t blades, std:
              context.name, blades, triangles, most - ofColliders);
 }
 
+/// Against a field's gravity; 0 for a planet, which has no level ground.
+glm::vec3 levelUpOf(const field::FieldView& field)
+{
+    const field::Defaults& defaults = *field.defaults;
+    const float length = glm::length(defaults.gravityDirection);
+    return defaults.attractorBlend > 0.0f || !(length > 0.0f) ? glm::vec3(0.0f)
+                                                              : -defaults.gravityDirection / length;
+}
+
 /// Uploads the field's data and waits for it.
 template <typename T, typename... Arguments>
 T uploaded(const gpu::DeviceContext& context, const Arguments&... arguments)
@@ -88,6 +97,9 @@ FieldRenderer::Parts::Parts(const gpu::DeviceContext& deviceContext, const field
     , targetSettings(targetFor(context, view, wanted))
     , ground(uploaded<GroundBuffers>(context, *view.ground))
     , sunShadow(context, recorder.shaders, ground.box(), wanted.deviceBytes == 0)
+    , floorUp(levelUpOf(view))
+    , floorPlane(floorUp != glm::vec3(0.0f) ? floorPlaneOf(*view.ground, floorUp)
+                                            : shared::FloorPlane{})
     , attachments(madeIf<Attachments>(geometry == Geometry::tessellation, context, targetSettings))
     , opaque(madeIf<OpaquePass>(geometry == Geometry::tessellation, context, recorder.shaders,
                                 targetSettings, ground))
@@ -273,6 +285,9 @@ void FieldRenderer::Parts::begin(const View& view, const FrameSettings& wanted, 
                        instance.complete = [this, colliders = instance.colliders](
                                                std::uint32_t, shared::Frame& written) {
                            sunShadow.describe(written, colliders);
+                           // Under another sky the floor would be a slope.
+                           if (glm::dot(written.skyUp, floorUp) > 0.9999f)
+                               written.floorPlane = floorPlane;
                            return std::optional<shared::HostLight>();
                        };
                        return instance;

@@ -4,6 +4,7 @@
 #include "gpu/recording/recording.h"
 #include "gpu/recording/rendering.h"
 #include "gpu/recording/timestamps.h"
+#include "render/preview/floor_plane.h"
 #include "render/preview/opaque_pass.h"
 #include "render/preview/opaque_raster_pass.h"
 #include "render/preview/sun_shadow.h"
@@ -41,7 +42,9 @@ struct FieldRenderer::Parts {
     TargetSettings targetSettings;
     GroundBuffers ground;
     SunShadowPass sunShadow;
-    glm::uvec2 pictureSize{0}; ///< [pixels] of the current pictures
+    glm::vec3 floorUp;             ///< unit, against the field's own gravity; 0: a planet
+    shared::FloorPlane floorPlane; ///< across it
+    glm::uvec2 pictureSize{0};     ///< [pixels] of the current pictures
 
     // With tessellation: the graphics pipeline …
     std::optional<Attachments> attachments;

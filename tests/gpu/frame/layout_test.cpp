@@ -97,6 +97,10 @@ public:
     {
         fillAll(s.map.address, s.across, s.down, s.depth, s.size, s.nearer);
     }
+    void fill(shared::FloorPlane& p)
+    {
+        fillAll(p.middle, p.reach, p.along, p.height, p.halfSides, p.cornerRadius);
+    }
     void fill(shared::Cascade& c) { fillAll(c.across, c.down, c.depth, c.width); }
     void fill(shared::Lamp& l)
     {
@@ -178,7 +182,8 @@ std::size_t fillValues(Values& v)
               f.tick, f.environment, f.patchCount, f.bladeCount, f.visibleCapacity,
               f.maxTessellation, f.sunDirection, f.exposure, f.sunColor, f.debugMode, f.skyColor,
               f.fogDensity, f.groundColor, f.skyUp, f.fixedTessellation, f.clouds, f.levelSteps,
-              f.updateRate, f.cover, f.shadow, f.bladeShadow, f.fogFalloff, f.lowSun, f.reserved);
+              f.updateRate, f.cover, f.shadow, f.bladeShadow, f.fogFalloff, f.lowSun, f.floorPlane,
+              f.reserved);
     n.fillAll(v.visible.blade, v.visible.patchIndex, v.visible.factors, v.visible.pixels);
     n.fillAll(v.draw.vertexCount, v.draw.instanceCount, v.draw.firstVertex, v.draw.firstInstance,
               v.draw.simulated, v.draw.cullResults);

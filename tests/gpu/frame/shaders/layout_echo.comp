@@ -122,6 +122,16 @@ void put(Cover cover)
         put(cover.leaves[i]);
 }
 
+void put(FloorPlane plane)
+{
+    put(plane.middle);
+    put(plane.reach);
+    put(plane.along);
+    put(plane.height);
+    put(plane.halfSides);
+    put(plane.cornerRadius);
+}
+
 void put(SunShadow shadow)
 {
     put(uvec2(shadow.depths));

@@ -66,6 +66,7 @@ void putFrame()
     put(FRAME.bladeShadow);
     put(FRAME.fogFalloff);
     put(FRAME.lowSun);
-    for (uint i = 0u; i < 49u; ++i)
+    put(FRAME.floorPlane);
+    for (uint i = 0u; i < FRAME.reserved.length(); ++i)
         put(FRAME.reserved[i]);
 }
