@@ -12,7 +12,7 @@ namespace sward::render {
 namespace {
 
 constexpr float lowestShare = 0.02f; ///< of the height: corners that may stand on the floor
-constexpr float leastSpread = 0.6f;  ///< of the footprint's sides
+constexpr float minSpread = 0.6f;  ///< of the footprint's sides
 constexpr double oneWay = 0.98;      ///< of a sheet's area
 constexpr float lightReach = 2.5f;   ///< of the floor, in half diagonals of the footprint
 
@@ -98,8 +98,8 @@ shared::FloorPlane floorPlaneOf(const field::DisplayGround& ground, glm::vec3 up
         foot.add(x);
         footAcross.add(z);
     }
-    const bool stands = foot.length() >= leastSpread * along.length() &&
-                        footAcross.length() >= leastSpread * across.length();
+    const bool stands = foot.length() >= minSpread * along.length() &&
+                        footAcross.length() >= minSpread * across.length();
     if (!stands && !isSheet(ground, up))
         return plane;
 

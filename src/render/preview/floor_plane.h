@@ -1,7 +1,7 @@
 #pragma once
 
 #include "field/display_ground.h"
-#include "shaders/shared/floor_plane.h"
+#include "shaders/shared/look/floor_plane.h"
 
 #include <glm/vec3.hpp>
 

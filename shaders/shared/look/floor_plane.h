@@ -1,6 +1,6 @@
 // The floor on which the viewer's ground stands.
-#ifndef SWARD_SHARED_FLOOR_PLANE_H
-#define SWARD_SHARED_FLOOR_PLANE_H
+#ifndef SWARD_SHARED_LOOK_FLOOR_PLANE_H
+#define SWARD_SHARED_LOOK_FLOOR_PLANE_H
 
 #include "shaders/shared/types.h"
 
