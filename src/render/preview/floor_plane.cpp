@@ -12,8 +12,9 @@ namespace sward::render {
 namespace {
 
 constexpr float lowestShare = 0.02f; ///< of the height: corners that may stand on the floor
-constexpr float minSpread = 0.6f;  ///< of the footprint's sides
-constexpr double oneWay = 0.98;      ///< of a sheet's area
+constexpr float rimBegin = 0.95f;    ///< of the half sides, from the middle
+constexpr float minSpread = 0.6f;    ///< of the footprint's sides
+constexpr double oneWay = 0.8;       ///< of a sheet's area; half of a closed body's faces up
 constexpr float lightReach = 2.5f;   ///< of the floor, in half diagonals of the footprint
 
 /// Of the height, along which a sheet or a body darkens the floor beside it: borders are lower
@@ -84,30 +85,34 @@ shared::FloorPlane floorPlaneOf(const field::DisplayGround& ground, glm::vec3 up
     if (ground.vertices.empty() || !(half > 0.0f) || !std::isfinite(half))
         return plane;
 
-    // Where it stands, and how far its corners fill the rectangle's.
-    FloorExtent foot, footAcross;
+    // Where it stands, how low its rim is, and how far its corners fill the rectangle's.
+    FloorExtent foot, footAcross, rim;
     float farthest = 0.0f;
     const glm::vec2 sides = glm::max(0.5f * glm::vec2(along.length(), across.length()), 1e-6f);
     for (const shared::GroundVertex& vertex : ground.vertices) {
         const float x = glm::dot(vertex.position, axes.along);
         const float z = glm::dot(vertex.position, axes.across);
-        farthest = std::max(
-            farthest, glm::length(glm::vec2(x - along.middle(), z - across.middle()) / sides));
-        if (glm::dot(vertex.position, axes.up) > above.low + lowestShare * above.length())
+        const float y = glm::dot(vertex.position, axes.up);
+        const glm::vec2 at = glm::abs(glm::vec2(x - along.middle(), z - across.middle()) / sides);
+        farthest = std::max(farthest, glm::length(at));
+        if (std::max(at.x, at.y) >= rimBegin)
+            rim.add(y);
+        if (y > above.low + lowestShare * above.length())
             continue;
         foot.add(x);
         footAcross.add(z);
     }
+    const bool sheet = isSheet(ground, up);
     const bool stands = foot.length() >= minSpread * along.length() &&
                         footAcross.length() >= minSpread * across.length();
-    if (!stands && !isSheet(ground, up))
+    if (!stands && !sheet)
         return plane;
 
-    plane.middle =
-        along.middle() * axes.along + across.middle() * axes.across + above.low * axes.up;
+    const float level = sheet ? rim.low : above.low;
+    plane.middle = along.middle() * axes.along + across.middle() * axes.across + level * axes.up;
     plane.reach = lightReach * half;
     plane.along = axes.along;
-    plane.height = wallShare * above.length();
+    plane.height = wallShare * (above.high - level);
     plane.halfSides = sides;
     // 1 for an ellipse, √2 for a rectangle.
     const float root = std::sqrt(2.0f);

@@ -75,7 +75,8 @@ TEST(FloorPlane, LiesBelowSheetsAndBelowWhatStandsBroadly)
                 1e-4f);
     float lowest = 1e9f;
     for (const shared::GroundVertex& vertex : hills().vertices)
-        lowest = std::min(lowest, vertex.position.y);
+        if (std::abs(vertex.position.x) > 9.4f || std::abs(vertex.position.z - 8.0f) > 4.7f)
+            lowest = std::min(lowest, vertex.position.y);
     EXPECT_NEAR(below.middle.y, lowest, 1e-5f);
     EXPECT_NEAR(below.halfSides.x * below.halfSides.y, 50.0f, 1e-3f);
     EXPECT_NEAR(below.cornerRadius, 0.0f, 1e-4f) << "a rectangle";
@@ -84,6 +85,16 @@ TEST(FloorPlane, LiesBelowSheetsAndBelowWhatStandsBroadly)
     EXPECT_GT(round.reach, 0.0f);
     EXPECT_NEAR(round.middle.y, 5.5f, 1e-4f);
     EXPECT_NEAR(round.cornerRadius, 6.5f, 0.05f) << "a circle";
+}
+
+TEST(FloorPlane, TouchesTheRimOfASheetWhateverHangsBelowIt)
+{
+    const field::DisplayGround pit = surface([](float u, float v) {
+        const bool isDeep = std::abs(u - 0.5f) < 0.1f && std::abs(v - 0.5f) < 0.1f;
+        return glm::vec3(8.0f * u, isDeep ? -3.0f : 1.0f, 8.0f * v);
+    });
+    EXPECT_NEAR(floorPlaneOf(pit, up).middle.y, 1.0f, 1e-6f);
+    EXPECT_GT(floorPlaneOf(pit, up).reach, 0.0f);
 }
 
 TEST(FloorPlane, IsNotBelowABallNorWithoutGround)
