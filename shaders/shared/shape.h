@@ -14,7 +14,16 @@ SHARED_CONST uint shapeTriangle = 2u;    ///< tapers to a point from the root on
 SHARED_CONST uint shapeQuadratic = 3u;   ///< one edge straight, the other a parabola
 SHARED_CONST uint shapeDandelion = 4u;   ///< lobes on both sides
 SHARED_CONST uint shapeLeaf = 5u;        ///< a point at both ends, widest at the tip threshold
-SHARED_CONST uint shapeCount = 6u;
+SHARED_CONST uint shapeStalkLeaf = 6u;   ///< a triangle-tip on a stalk: narrow at its base, too
+SHARED_CONST uint shapeCount = 7u;
+
+/// Number of shapes that have a name; shapeStalkLeaf has that of shapeTriangleTip.
+SHARED_CONST uint namedShapes = 6u;
+
+/// A leaf on a stalk is this wide at its base, in widths …
+SHARED_CONST float baseWidth = 0.25f;
+/// … and widens as a parabola up to this place along it.
+SHARED_CONST float baseLength = 0.3f;
 
 /// Lobes of a dandelion's leaf on each side; each needs segmentsPerLobe segments.
 SHARED_CONST float dandelionLobes = 4.0f;
@@ -41,6 +50,10 @@ SHARED_FN vec2 outlineAt(uint shape, float tipThreshold, float t)
         const float away = t < tipThreshold ? (tipThreshold - t) / max(tipThreshold, 1e-3f)
                                             : (t - tipThreshold) / max(1.0f - tipThreshold, 1e-3f);
         half_ = 0.5f - 0.5f * min(away * away, 1.0f);
+    } else if (shape == shapeStalkLeaf) {
+        const float before = max(1.0f - t / baseLength, 0.0f);
+        half_ = (0.5f - 0.5f * max(t - tipThreshold, 0.0f) / max(1.0f - tipThreshold, 1e-3f)) *
+                (1.0f - (1.0f - baseWidth) * before * before);
     }
     return vec2(-half_, half_);
 }
@@ -54,7 +67,21 @@ SHARED_FN bool isEven(uint shape)
 /// Whether the edges' distance from the curve never grows towards the tip.
 SHARED_FN bool isTapering(uint shape)
 {
-    return shape != shapeDandelion && shape != shapeLeaf;
+    return shape != shapeDandelion && shape != shapeLeaf && shape != shapeStalkLeaf;
+}
+
+/// Area below the outline of a shapeStalkLeaf, and its first moment ∫ t·width dt: those of the
+/// triangle-tip less what the base lacks, with u = 1 − t/baseLength.
+SHARED_FN vec2 momentsOfStalkLeaf(float tipThreshold)
+{
+    const float tau = tipThreshold;
+    const float lacks = 1.0f - baseWidth;
+    const float u = max(1.0f - tau / baseLength, 0.0f);
+    const float taper = u * u * u * u * baseLength * baseLength / max(1.0f - tau, 1e-3f);
+    return vec2(0.5f + 0.5f * tau - lacks * (baseLength / 3.0f - taper / 12.0f),
+                (1.0f + tau + tau * tau) / 6.0f -
+                    lacks * (baseLength * baseLength / 12.0f -
+                             taper * baseLength * (1.0f / 12.0f - 0.05f * u)));
 }
 
 /// Area below the outline, in widths times lengths.
@@ -66,6 +93,8 @@ SHARED_FN float outlineArea(uint shape, float tipThreshold)
         return 0.5f;
     if (shape == shapeQuadratic || shape == shapeLeaf)
         return 2.0f / 3.0f;
+    if (shape == shapeStalkLeaf)
+        return momentsOfStalkLeaf(tipThreshold).x;
     return shape == shapeDandelion ? 0.57268f : 1.0f;
 }
 
@@ -111,10 +140,13 @@ SHARED_FN Outline outlineOf(uint shape, float tipThreshold, float segments)
     outline.scale = 1.0f;
     if (segments < 1.5f || segments > exactSegments)
         return outline;
-    const vec2 first = outlineAt(shape, tipThreshold, 0.0f);
-    const vec2 last = outlineAt(shape, tipThreshold, 1.0f);
-    const float sum =
-        0.5f * (first.y - first.x + last.y - last.x) + innerWidths(shape, tipThreshold, segments);
+    // So few chords leave out the base.
+    if (shape == shapeStalkLeaf && segments < 3.5f)
+        outline.shape = shapeTriangleTip;
+    const vec2 first = outlineAt(outline.shape, tipThreshold, 0.0f);
+    const vec2 last = outlineAt(outline.shape, tipThreshold, 1.0f);
+    const float sum = 0.5f * (first.y - first.x + last.y - last.x) +
+                      innerWidths(outline.shape, tipThreshold, segments);
     outline.scale = outlineArea(shape, tipThreshold) * segments / sum;
     return outline;
 }
@@ -134,6 +166,10 @@ SHARED_FN vec2 singleSegment(uint shape, float tipThreshold)
     if (shape == shapeLeaf) {
         const float moment = 0.25f + tipThreshold * (1.0f / 6.0f);
         return vec2(8.0f / 3.0f - 6.0f * moment, 6.0f * moment - 4.0f / 3.0f);
+    }
+    if (shape == shapeStalkLeaf) {
+        const vec2 moments = momentsOfStalkLeaf(tipThreshold);
+        return vec2(4.0f * moments.x - 6.0f * moments.y, 6.0f * moments.y - 2.0f * moments.x);
     }
     return shape == shapeDandelion ? vec2(0.64894f, 0.49642f) : vec2(1.0f);
 }
@@ -162,7 +198,7 @@ SHARED_FN float segmentsFor(vec3 v0, vec3 v1, vec3 v2, float size, uint shape, f
         return dandelionLobes * segmentsPerLobe;
     // A tip is visible if the blade is wider than a pixel; a leaf narrows at both ends, in curves.
     float tip = widthPixels > 3.0f ? 3.0f : (widthPixels > 1.0f ? 2.0f : 1.0f);
-    if (shape == shapeLeaf && widthPixels > 3.0f)
+    if ((shape == shapeLeaf || shape == shapeStalkLeaf) && widthPixels > 3.0f)
         tip = widthPixels > 12.0f ? 8.0f : 4.0f;
     return clamp(max(curve, tip), 1.0f, max(most, 1.0f));
 }

@@ -33,7 +33,7 @@ struct BladeKey {
 std::uint64_t bladeId(BladeKey key);
 
 /// Names of the shapes of a blade, shared::shapeTriangleTip … shapeLeaf.
-inline constexpr std::array<std::string_view, shared::shapeCount> shapeNames{
+inline constexpr std::array<std::string_view, shared::namedShapes> shapeNames{
     "triangle-tip", "quad", "triangle", "quadratic", "dandelion", "leaf"};
 
 /// A kind of grass.

@@ -10,6 +10,7 @@
 
 #include <algorithm>
 #include <numeric>
+#include <string_view>
 
 namespace sward::field {
 namespace {
@@ -28,6 +29,11 @@ double shortestOf(float value)
 json arrayOf(const glm::vec2& v)
 {
     return json::array({shortestOf(v.x), shortestOf(v.y)});
+}
+
+std::string_view nameOfShape(std::uint32_t shape)
+{
+    return shapeNames[shape == shared::shapeStalkLeaf ? shared::shapeTriangleTip : shape];
 }
 
 json arrayOf(const glm::vec3& v)
@@ -69,6 +75,9 @@ Organ parseOrgan(const json& object, const std::string& place)
     reader.read("gloss", look.gloss, 0.0, 1.0);
     reader.read("dryness", look.dryness, 0.0, 1.0);
     look.shape = reader.readWord("shape", shapeNames, look.shape);
+    // Beside its stalk a leaf does not begin with its whole width.
+    if (look.shape == shared::shapeTriangleTip)
+        look.shape = shared::shapeStalkLeaf;
     reader.read("fold", look.fold, 0.0, 1.0);
     reader.finish();
     return organ;
@@ -140,7 +149,7 @@ json organsJson(const std::vector<Organ>& organs)
                         {"translucency", shortestOf(organ.look.translucency)},
                         {"gloss", shortestOf(organ.look.gloss)},
                         {"dryness", shortestOf(organ.look.dryness)},
-                        {"shape", shapeNames[organ.look.shape]},
+                        {"shape", nameOfShape(organ.look.shape)},
                         {"fold", shortestOf(organ.look.fold)}});
     return list;
 }

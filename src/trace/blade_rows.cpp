@@ -26,6 +26,8 @@ std::uint32_t outlineSegments(std::uint32_t shape, float error)
         return parabolaSegments(1.0f, error);
     case shared::shapeLeaf:
         return parabolaSegments(0.5f, error);
+    case shared::shapeStalkLeaf:
+        return parabolaSegments(0.75f, error);
     case shared::shapeDandelion:
         return maxSegments;
     default:
@@ -46,9 +48,15 @@ std::vector<float> rowsOf(const shared::Species& look, const BladePose& pose, fl
 
     // The outline has a part on either side of its kink, which is a row.
     std::vector<float> ends{0.0f, 1.0f};
-    const bool hasKink = look.shape == shared::shapeTriangleTip || look.shape == shared::shapeLeaf;
+    const bool hasKink = look.shape == shared::shapeTriangleTip ||
+                         look.shape == shared::shapeLeaf || look.shape == shared::shapeStalkLeaf;
     if (hasKink && look.tipThreshold > 1e-3f && look.tipThreshold < 1.0f - 1e-3f)
         ends = {0.0f, look.tipThreshold, 1.0f};
+    if (look.shape == shared::shapeStalkLeaf &&
+        std::fabs(look.tipThreshold - shared::baseLength) > 1e-3f) {
+        ends.push_back(shared::baseLength);
+        std::sort(ends.begin(), ends.end());
+    }
     std::vector<float> rows{0.0f};
     for (std::size_t part = 0; part + 1 < ends.size(); ++part) {
         const float length = ends[part + 1] - ends[part];

@@ -9,6 +9,7 @@
 #include "unit/field/sample_field.h"
 
 #include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
 
 #include <set>
 
@@ -64,6 +65,23 @@ TEST(Plants, ComeBackFromAFileAsTheyWere)
     for (std::size_t b = 0; b < view.blades.size(); ++b)
         ids.insert(view.idOf(b));
     EXPECT_EQ(ids.size(), 15U);
+}
+
+TEST(Plants, LeavesAreNarrowBesideTheirStalk)
+{
+    const nlohmann::json text = nlohmann::json::parse(
+        R"([{"name": "blade", "shape": "triangle-tip", "tip_threshold": 0.4}])");
+    const std::vector<Organ> organs = parseOrgans(text, "test");
+    const shared::Species& look = organs[0].look;
+    const auto widthAt = [&](float t) {
+        const shared::vec2 edges = shared::outlineAt(look.shape, look.tipThreshold, t);
+        return edges.y - edges.x;
+    };
+    EXPECT_NEAR(widthAt(0.0f), 0.25f, 1e-6f);
+    EXPECT_NEAR(widthAt(0.35f), 1.0f, 1e-6f);
+    EXPECT_NEAR(widthAt(1.0f), 0.0f, 1e-6f);
+    // A file keeps its name.
+    EXPECT_EQ(organsJson(organs)[0]["shape"], "triangle-tip");
 }
 
 TEST(Plants, AreNoNeighboursOfThemselves)
