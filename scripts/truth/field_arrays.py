@@ -20,6 +20,8 @@ LITTER, LITTER_SHARE, UNDERGROWTH_HEIGHT = np.array([0.135, 0.120, 0.048]), 0.35
 THROUGH_TINT, THROUGH = np.array([1.25, 1.15, 0.45]), 0.8
 STRAW, DRIED_CLUMP = np.array([0.42, 0.32, 0.13]), 255
 DANDELION_LOBES = 4
+# A triangle-tip of an organ narrows towards its base.
+STALK_LEAF, BASE_WIDTH, BASE_LENGTH = "triangle-tip on a stalk", 0.25, 0.3
 
 
 def mix(a, b, t):
@@ -88,6 +90,9 @@ def outline(shape, threshold, t):
     elif shape == "dandelion":
         rest = 1.0 - t
         half = 0.5 * np.sqrt(rest) * (2.0 - rest - np.sqrt(0.5 * abs(np.sin(np.pi * DANDELION_LOBES * rest))))
+    elif shape == STALK_LEAF:
+        before = max(1.0 - t / BASE_LENGTH, 0.0)
+        half = outline("triangle-tip", threshold, t)[1] * (1.0 - (1.0 - BASE_WIDTH) * before * before)
     elif shape == "leaf":
         away = (threshold - t) / max(threshold, 1e-3) if t < threshold else (t - threshold) / max(1.0 - threshold, 1e-3)
         half = 0.5 - 0.5 * min(away * away, 1.0)
@@ -95,8 +100,36 @@ def outline(shape, threshold, t):
 
 
 def outline_area(shape, threshold):
+    if shape == STALK_LEAF:
+        steps = (np.arange(4096) + 0.5) / 4096
+        return 2.0 * np.mean([outline(shape, threshold, t)[1] for t in steps])
     return {"triangle-tip": 0.5 + 0.5 * threshold, "triangle": 0.5, "quadratic": 2 / 3, "leaf": 2 / 3,
             "dandelion": 0.57268}.get(shape, 1.0)
+
+
+def finish(look):
+    """finishOf() of leaf_finish.h."""
+    shape = look.get("shape", "triangle-tip")
+    if shape == "quad":
+        return "stalk"
+    if shape not in ("leaf", "dandelion"):
+        return "grass"
+    red, green, blue = look["tip_color"]
+    return "broad" if green > max(red, blue) else "petal"
+
+
+def end_wave(away, falls):
+    return max(1.0 - away, 0.0) ** 2 * (1.0 - falls * away)
+
+
+def tone_along(finishes, t, dry):
+    """toneAlong() of leaf_finish.h: a factor for each blade."""
+    tone = np.ones((len(finishes), 3))
+    is_petal, is_grass = finishes == "petal", finishes == "grass"
+    tone[is_petal] -= end_wave(min(t / 0.6, 1.0), 2.5) * np.array([0.12, 0.22, 0.42])
+    tone[is_grass | (finishes == "stalk")] += end_wave(min(2.5 * t, 1.0), 4.0) * np.array([0.75, 0.3, 0.55])
+    tone[is_grass] += (dry * end_wave(min(2.2 - 2.2 * t, 1.0), 2.5))[is_grass, None] * np.array([1.1, -0.05, -0.2])
+    return tone
 
 
 class Looks:
@@ -108,7 +141,8 @@ class Looks:
         for number, one in enumerate(species):
             if "organs" in one:
                 kinds = range(len(self.list), len(self.list) + len(one["organs"]))
-                self.list += one["organs"]
+                self.list += [{**organ, "shape": STALK_LEAF} if organ.get("shape") == "triangle-tip" else organ
+                              for organ in one["organs"]]
                 # Ribbon numbers 1, 2 … in the order of the organs.
                 self.ribbons[number] = np.repeat(kinds, [organ["count"] for organ in one["organs"]])
 
@@ -184,6 +218,9 @@ def unpacked(field):
     own = patches[patch]
     bits = lambda word, low, count: packed[:, word] >> np.uint32(low) & np.uint32((1 << count) - 1)
     steps = np.stack([bits(0, 0, 16), bits(0, 16, 16), bits(1, 0, 16)], axis=1)
+    with np.errstate(over="ignore"):
+        seed = mix_uint(((packed[:, 2] & np.uint32(0xffc000ff)) ^ (packed[:, 1] >> np.uint32(16) << np.uint32(8))) +
+                        packed[:, 3] * np.uint32(0x9e3779b9)) >> np.uint32(16)
     return {"root": own["root_low"] + own["root_step"][:, None] * steps.astype("f4"),
             "up": read_field.octahedral((bits(1, 16, 8).astype("f4") - 127) / 127, (bits(1, 24, 8).astype("f4") - 127) / 127),
             "facing": bits(2, 0, 8), "stiffness": bits(2, 22, 6), "hash": bits(2, 28, 4),
@@ -191,7 +228,7 @@ def unpacked(field):
             "width": own["width_low"] + own["width_step"] * bits(2, 16, 6).astype("f4"),
             "tint": np.stack([bits(3, 0, 5) / 31, bits(3, 5, 6) / 63, bits(3, 11, 5) / 31], axis=1),
             "tint_g": bits(3, 5, 6), "exposure": bits(3, 16, 5) / 31, "species": bits(3, 21, 3).astype(int),
-            "clump": bits(3, 24, 8).astype(int)}
+            "clump": bits(3, 24, 8).astype(int), "seed": seed}
 
 
 def frame_around(up):
@@ -320,6 +357,8 @@ def arrays_of(path, dump, segments=8, finest=0.05):
     axis[is_bent] = unit(bend[is_bent])
     straight = on_stalk & ~is_bent
     axis[straight] = unit(np.cross(v2 - v0, v2 - v0 + [0.31, 0.17, 0.23]))[straight]
+    finishes = np.array([finish(one) for one in looks.list])[look]
+    dry_tips = smoothstep(0.3, 1.0, (table["seed"] & np.uint32(255)) / 255.0)
     fold = looks.values("fold", 0.0)[look]
     across = 3 if (fold > 0.0).any() else 2
     count = len(v0)
@@ -337,7 +376,8 @@ def arrays_of(path, dump, segments=8, finest=0.05):
             along = unit((1 - t) * (v1 - v0) + t * (v2 - v1))
             ridge = (0.5 * fold * (edges[:, 1] - edges[:, 0]))[:, None] * unit(np.cross(along, axis))
             vertices[:, k, 1] = 0.5 * (left + right) + ridge
-        reflected[:, k] = mix(root, tip, smoothstep(-0.15, 0.8, t))[:, None]
+        reflected[:, k] = (mix(root, tip, smoothstep(-0.15, 0.8, t)) * tone_along(finishes, t, dry_tips))[:, None]
+    reflected = np.clip(reflected, 0.0, 1.0)
     through = reflected * (THROUGH * THROUGH_TINT * looks.values("translucency", 0.0)[look][:, None])[:, None, None]
     first = (np.arange(count) * (segments + 1) * across)[:, None, None] + across * np.arange(segments)[:, None]
     corner = first + np.arange(across - 1)

@@ -7,6 +7,7 @@
 #include "shaders/common/lighting.glsl"
 #include "shaders/shared/cull_result_color.h"
 #include "shaders/shared/look/blade_colors.h"
+#include "shaders/shared/look/leaf_finish.h"
 #include "shaders/shared/visibility.h"
 
 /// A ray gets deeper into grass under a leaf-area limit than into the whole field. So every place is lit and coloured
@@ -48,7 +49,8 @@ BladeSurface bladeSurface(DrawnBlade drawn, VisibleBlade visible, LeafAreaLimit 
                               dot(drawn.ribbon.v2 - blade.root, blade.up));
     surface.material = vec4(packedLook(vec3(blade.exposure, species.translucency, species.gloss)),
                             leavesAround(FRAME.cover, leafArea),
-                            packedHeights(heightStepsPerMetre(FRAME.cover, grass) / heightFactorOf(visible) * heights), 0.0);
+                            packedHeights(heightStepsPerMetre(FRAME.cover, grass) / heightFactorOf(visible) * heights),
+                            packedFinish(finishOf(species), visible.pixels * drawn.ribbon.width / blade.height));
     return limit.light < 1.0 ? liftedSurface(surface, limit.light) : surface;
 }
 

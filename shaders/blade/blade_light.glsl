@@ -4,6 +4,7 @@
 
 #include "shaders/blade/blade_surface.glsl"
 #include "shaders/common/lighting.glsl"
+#include "shaders/shared/look/leaf_finish.h"
 #include "shaders/shared/noise.h"
 
 struct BladePoint {
@@ -20,6 +21,7 @@ struct BladePoint {
     float leafBelow; ///< … and below
     uint seed;      ///< of the blade
     float flecks;   ///< fleckCount() of the blade
+    float finish;   ///< packedFinish() of the blade
 };
 
 /// Normal of the visible side, rounded across a blade that is large enough to show it.
@@ -33,7 +35,9 @@ vec3 bladeNormal(BladePoint point, vec3 toEye, float distance)
         n += (point.fold * sign(point.place.x)) * point.axis;
     n *= dot(n, toEye) < 0.0 ? -1.0 : 1.0;
     const float smallness = smoothstep(4.0, 60.0, distance * 1000.0 / FRAME.view.pixelsPerUnit);
-    return normalize(n + (0.55 * (1.0 - point.fold) * (1.0 - smallness) * point.place.x) * point.axis);
+    // A stalk is a tube.
+    const float roundness = finishIn(point.finish) == finishStalk ? 1.4 : 0.55;
+    return normalize(n + (roundness * (1.0 - point.fold) * (1.0 - smallness) * point.place.x) * point.axis);
 }
 
 /// Scattering of light from one direction towards the eye.
@@ -41,20 +45,15 @@ struct Scattering {
     float facing;  ///< cosine between the normal and the direction to the source
     float diffuse; ///< wrapped a little around the blade's edge and normalised to the same total light
     float through; ///< on the other side, to go through the blade
-    float shine;   ///< soft gloss: a strand shines along its tangent (Kajiya & Kay 1989)
 };
 
 /// `source`: unit, towards the source of light.
-Scattering scatteringOf(vec3 source, vec3 n, vec3 toEye, vec3 tangent)
+Scattering scatteringOf(vec3 source, vec3 n)
 {
     Scattering scattering;
     scattering.facing = dot(n, source);
     scattering.diffuse = max((scattering.facing + 0.15) / 1.3225, 0.0);
     scattering.through = max(-scattering.facing, 0.0);
-    // A source exactly behind the blade has no direction halfway.
-    const vec3 sum = source + toEye;
-    const float strand = dot(tangent, sum * inversesqrt(max(dot(sum, sum), 1e-12)));
-    scattering.shine = pow(max(1.0 - strand * strand, 0.0), 18.0);
     return scattering;
 }
 
@@ -135,8 +134,17 @@ vec3 bladePicture(BladePoint point)
         return vec3(channel == 0u, channel == 1u, channel == 2u);
     }
     const vec3 toEye = ray / max(distance, 1e-6);
-    const vec3 n = bladeNormal(point, toEye, distance);
-    const vec3 albedo = mix(point.rootColor.rgb, point.tipColor.rgb, tipShareAt(along));
+    vec3 n = bladeNormal(point, toEye, distance);
+    const uint finish = finishIn(point.finish);
+    vec3 albedo = mix(point.rootColor.rgb, point.tipColor.rgb, tipShareAt(along)) * toneAlong(finish, along, point.seed);
+    // Veins, only where a blade is some pixels wide, as the eye sees its width.
+    const float turned = dot(toEye, point.axis);
+    const float wide = pixelsIn(point.finish) * sqrt(max(1.0 - turned * turned, 0.0));
+    if (wide > 4.0) {
+        const Veins veins = veinsAt(finish, point.place, wide, point.seed);
+        albedo *= veins.tone;
+        n = normalize(n + veins.slope * point.axis);
+    }
 
     // Neighbours absorb light before it reaches this point: more where they are denser, and only by the part of their
     // leaf area above it.
@@ -152,18 +160,26 @@ vec3 bladePicture(BladePoint point)
 
     // Light from sky and ground, on this side and through the blade, and what leaves around pass on.
     const float openBelow = skyBelow(point.leafBelow);
-    const Incoming incoming = incomingAt(point.position, point.up, n, openSky * vec2(skyBelow(leafArea), openBelow));
+    const float openAbove = openSky * skyBelow(leafArea);
+    const Incoming incoming = incomingAt(point.position, point.up, n, vec2(openAbove, openSky * openBelow));
     const vec3 through = throughBlade(translucency);
     vec3 light = incoming.around + through * incoming.behind +
                  openSky * (1.0 + through) * lightAmongLeaves(leafArea, 1.0 - openBelow, upright, risen * incoming.sun,
                                                               incoming.above, albedo * (1.0 + through));
-    // Sun: diffuse, through the blade, and gloss in the upper half.
-    const Scattering scattering = scatteringOf(sun, n, toEye, point.tangent);
+    // Sun: diffuse and through the blade.
+    const Scattering scattering = scatteringOf(sun, n);
     light += incoming.sun * (sunlit * (scattering.diffuse + through * scattering.through));
     vec3 color = albedo * light;
-    const float fresnel = 0.04 + 0.25 * pow(1.0 - max(dot(n, toEye), 0.0), 5.0);
-    color += (gloss * sunlit * along * max(scattering.facing + 0.2, 0.0)) *
-             (incoming.sun * scattering.shine * 0.25 + incoming.mirrored * fresnel);
+    // A coat on the upper half mirrors sun and sky, and keeps that from what is below it.
+    const float coat = gloss * along;
+    if (coat > 0.0) {
+        const float towards = dot(n, toEye);
+        const float mirrored = coat * coatAlbedo(towards);
+        // The mirrored direction looks at the sky as far as it rises.
+        const float upwards = 0.5 + towards * dot(n, FRAME.skyUp) - 0.5 * dot(toEye, FRAME.skyUp);
+        color += mirrored * (openAbove * upwards * incoming.mirrored - color);
+        color += (coat * sunlit * coatShine(n, point.tangent, sun, toEye)) * incoming.sun;
+    }
 #ifdef HOST_LIGHT
     if (hasHostLight)
         color += lampLight(point, n, toEye, albedo, leafArea);

@@ -8,7 +8,7 @@
 struct BladeSurface {
     vec4 root;     ///< colour, and the share of the sun that reaches the root
     vec4 tip;      ///< colour, and the share of the sun that reaches the tip
-    vec4 material; ///< packedLook(); leaf area index; packedHeights(); unused
+    vec4 material; ///< packedLook(); leaf area index; packedHeights(); packedFinish()
 };
 
 /// Open sky, translucency and gloss in [0, 1], as one number of 24 bits: within 1/510.
@@ -36,6 +36,23 @@ float leafAreaAbove(vec4 material, float along)
     const vec3 steps = float(heightSteps) * unpackedLook(material.z);
     const float height = mix(mix(steps.x, steps.y, along), mix(steps.y, steps.z, along), along);
     return material.y * leafShareAbove(FRAME.cover, height);
+}
+
+/// Finish of a blade, see leaf_finish.h, and its width in pixels at the distance of its root, as one number of 10 bits:
+/// within 1/8 of a pixel, 63.75 at most.
+float packedFinish(uint finish, float pixels)
+{
+    return floor(clamp(pixels * 4.0, 0.0, 255.0) + 0.5) + 256.0 * float(finish);
+}
+
+uint finishIn(float packed)
+{
+    return uint(packed) >> 8u;
+}
+
+float pixelsIn(float packed)
+{
+    return 0.25 * float(uint(packed) & 255u);
 }
 
 /// Length of a fleck of sun or of shade along a blade [m].

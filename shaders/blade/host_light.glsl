@@ -89,11 +89,12 @@ vec3 lampLight(BladePoint point, vec3 n, vec3 toEye, vec3 albedo, float leafArea
         const vec3 source = toLamp * inversesqrt(max(dot(toLamp, toLamp), 1e-12));
         const float upright = dot(point.up, source);
         const float seen = openSky * sunBelow(leafProjectionOf(FRAME.cover), leafArea, upright);
-        const Scattering scattering = scatteringOf(source, n, toEye, point.tangent);
+        const Scattering scattering = scatteringOf(source, n);
         sum += albedo * color * (seen * (scattering.diffuse + through * scattering.through));
         sum += albedo * (openSky * (1.0 + through)) *
                lightAmongLeaves(leafArea, leavesBelow, upright, color, vec3(0.0), albedo * (1.0 + through));
-        sum += color * (point.look.z * seen * point.place.y * max(scattering.facing + 0.2, 0.0) * scattering.shine * 0.25);
+        if (point.look.z > 0.0)
+            sum += (point.look.z * point.place.y * seen * coatShine(n, point.tangent, source, toEye)) * color;
     }
     return sum;
 }

@@ -23,6 +23,7 @@ vec4 shadeFound(SeenBlade seen, Found found)
     point.leafAbove = leafAreaAbove(seen.surface.material, clamp(found.place.y, 0.0, 1.0));
     point.leafBelow = max(seen.surface.material.y - point.leafAbove, 0.0);
     point.seed = ribbon.seed;
+    point.finish = seen.surface.material.w;
     point.flecks = fleckCount(length(ribbon.v1 - ribbon.v0) + length(ribbon.v2 - ribbon.v1));
     return vec4(bladePicture(point), 1.0 - softness(length(FRAME.view.eye - point.position), 1.0));
 }

@@ -15,7 +15,7 @@ layout(location = 3) centroid in vec4 inPlace;
 layout(location = 4) flat in uvec4 inSurface; // see BladeVaryings
 layout(location = 5) flat in uvec4 inFrame;
 layout(location = 6) flat in uvec2 inBend;
-layout(location = 8) flat in uint inSeed;
+layout(location = 8) flat in uint inSeed; // and packedFinish() in the upper half
 
 layout(location = 0) out vec4 outColor;
 #ifdef HAS_MOTION
@@ -42,14 +42,15 @@ BladePoint pointOf(BladeVaryings varyings)
     point.look = bytes.xyz;
     point.leafAbove = leafAreaAbove(vec4(0.0, shade.x, float(varyings.bend.y & 0xffffffu), 0.0), clamp(inPlace.y, 0.0, 1.0));
     point.leafBelow = max(shade.x - point.leafAbove, 0.0);
-    point.seed = inSeed;
+    point.seed = inSeed & 0xffffu;
+    point.finish = float(inSeed >> 16u);
     point.flecks = float(varyings.bend.y >> 24u);
     return point;
 }
 
 void main()
 {
-    const uint kept = keptSamples(inPlace.z / max(inPlace.w, 1e-12), inSeed, FRAME.view.samples);
+    const uint kept = keptSamples(inPlace.z / max(inPlace.w, 1e-12), inSeed & 0xffffu, FRAME.view.samples);
     gl_SampleMask[0] = int(kept);
     const BladePoint point = pointOf(BladeVaryings(inSurface, inFrame, inBend));
 #ifdef HOST_LIGHT

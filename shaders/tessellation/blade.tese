@@ -31,7 +31,7 @@ layout(location = 3) centroid out vec4 outPlace; // −1 … 1 across, 0 … 1 a
 layout(location = 4) flat out uvec4 outSurface; // see BladeVaryings
 layout(location = 5) flat out uvec4 outFrame;
 layout(location = 6) flat out uvec2 outBend;
-layout(location = 8) flat out uint outSeed;
+layout(location = 8) flat out uint outSeed; // and packedFinish() in the upper half
 layout(location = 9) centroid out vec4 outClip; // with motion
 layout(location = 10) centroid out vec4 outClipBefore;
 
@@ -44,7 +44,7 @@ void main()
     ribbon.axis = inAxis.xyz;
     ribbon.width = inV0.w;
     ribbon.fold = inV2.w;
-    ribbon.seed = inWhich.z;
+    ribbon.seed = inWhich.z & 0xffffu;
     ribbon.outline = Outline(inWhich.x, inV1.w, float(inWhich.y), inAxis.w);
 
     // A quad of several rows always has a column of vertices in its middle. Without a fold the column is moved to the

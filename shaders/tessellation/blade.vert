@@ -17,7 +17,7 @@ layout(location = 0) out vec4 outV0; // and the width [m]
 layout(location = 1) out vec4 outV1; // and the tip threshold
 layout(location = 2) out vec4 outV2; // and the fold
 layout(location = 3) out vec4 outAxis; // and the scale of the outline
-layout(location = 4) out uvec3 outWhich; // shape, segments (0: nothing is drawn), Ribbon::seed
+layout(location = 4) out uvec3 outWhich; // shape, segments (0: nothing is drawn), Ribbon::seed and packedFinish()
 layout(location = 5) out uvec4 outSurface; // see BladeVaryings
 layout(location = 6) out uvec4 outFrame;
 layout(location = 7) out uvec2 outBend;
@@ -70,6 +70,7 @@ void main()
     outSurface = varyings.surface;
     outFrame = varyings.frame;
     outBend = varyings.bend;
+    outWhich.z |= uint(surface.material.w) << 16u;
 
     if (!writesMotion)
         return;

@@ -11,6 +11,6 @@ layout(location = 8) flat in uint inSeed;
 
 void main()
 {
-    gl_SampleMask[0] = int(keptSamples(inPlace.z / max(inPlace.w, 1e-12), inSeed,
+    gl_SampleMask[0] = int(keptSamples(inPlace.z / max(inPlace.w, 1e-12), inSeed & 0xffffu,
                                        push.frame.at[0].view.samples));
 }

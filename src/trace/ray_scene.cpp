@@ -152,6 +152,13 @@ struct RayScene::Scene {
         const std::uint32_t row =
             strip.firstRow + (hit.primitive - strip.firstQuad) / strip.columns;
         hit.along = glm::mix(surfaces.along[row], surfaces.along[row + 1], v);
+        const std::uint32_t column = (hit.primitive - strip.firstQuad) % strip.columns;
+        // In each of its triangles, u counts in widths of the row that has two corners of it.
+        const float low = glm::length(point(quad.y) - point(quad.x));
+        const float high = glm::length(point(quad.z) - point(quad.w));
+        const float wide = std::max(glm::mix(low, high, v), 1e-12f);
+        const float share = u + v <= 1.0f ? u * low / wide : 1.0f - (1.0f - u) * high / wide;
+        hit.across = 2.0f * (float(column) + share) / float(strip.columns) - 1.0f;
     }
 };
 

@@ -18,6 +18,7 @@ struct RayHit {
     glm::vec3 normal{0.0f};      ///< unit, of the primitive, on the side where the ray comes from
     glm::vec3 shares{0.0f};      ///< of the ground: weights of the triangle's corners
     float along = 0.0f;          ///< of blades: [0, 1] between root and tip
+    float across = 0.0f;         ///< of blades: −1 … 1 between left and right edge
     std::uint32_t strip = 0;     ///< of blades: index of Surfaces::strips
 };
 

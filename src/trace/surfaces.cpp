@@ -70,6 +70,8 @@ void addBlade(Surfaces& surfaces, std::uint32_t index, const PartLook& part, con
                                .firstRow = static_cast<std::uint32_t>(surfaces.along.size()),
                                .blade = index,
                                .columns = columns,
+                               .finish = shared::finishOf(part.look),
+                               .seed = part.blade.seed,
                                .root = colors.root,
                                .tip = colors.tip,
                                .translucency = settings.translucency * part.look.translucency,
@@ -188,9 +190,14 @@ Surfaces groundOf(const field::FieldView& field)
     return surfaces;
 }
 
-Leaf leafAt(const Surfaces::Strip& strip, float along)
+Leaf leafAt(const Surfaces::Strip& strip, glm::vec2 place)
 {
-    const glm::vec3 albedo = glm::mix(strip.root, strip.tip, shared::tipShareAt(along));
+    const float along = place.y;
+    // Wide enough for all veins: their means do not depend on that.
+    constexpr float pixels = 255.0f;
+    const glm::vec3 albedo = glm::mix(strip.root, strip.tip, shared::tipShareAt(along)) *
+                             shared::toneAlong(strip.finish, along, strip.seed) *
+                             shared::veinsAt(strip.finish, place, pixels, strip.seed).tone;
     // The upper half shines, as in the renderer.
     return leafOf(albedo,
                   albedo * shared::throughTint * (shared::throughShare * strip.translucency),

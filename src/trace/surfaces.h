@@ -2,6 +2,7 @@
 
 #include "field/field.h"
 #include "shaders/shared/cover.h"
+#include "shaders/shared/look/leaf_finish.h"
 #include "trace/blade_poses.h"
 #include "trace/blade_rows.h"
 #include "trace/leaf.h"
@@ -30,13 +31,15 @@ struct Surfaces {
     /// The strip of a blade.
     struct Strip {
         std::uint32_t firstQuad = 0;
-        std::uint32_t firstRow = 0; ///< of `along`
-        std::uint32_t blade = 0;    ///< index in the field
-        std::uint32_t columns = 1;  ///< quads of a row: 2 if the blade is folded
-        glm::vec3 root{0.0f};       ///< colours, linear
-        glm::vec3 tip{0.0f};        ///< likewise
-        float translucency = 0.0f;  ///< [0, 1]
-        float gloss = 0.0f;         ///< [0, 1]
+        std::uint32_t firstRow = 0;                 ///< of `along`
+        std::uint32_t blade = 0;                    ///< index in the field
+        std::uint32_t columns = 1;                  ///< quads of a row: 2 if the blade is folded
+        std::uint32_t finish = shared::finishPlain; ///< shared::finishOf() its look
+        std::uint32_t seed = 0;                     ///< of the blade
+        glm::vec3 root{0.0f};                       ///< colours, linear
+        glm::vec3 tip{0.0f};                        ///< likewise
+        float translucency = 0.0f;                  ///< [0, 1]
+        float gloss = 0.0f;                         ///< [0, 1]
     };
 
     Surfaces() = default;
@@ -57,7 +60,7 @@ struct Surfaces {
     std::vector<shared::GroundMaterial> materials; ///< as DisplayGround::materials
     std::vector<field::Image> images;              ///< as DisplayGround::images
     shared::Cover cover = {};                      ///< undergrowth on the ground …
-    std::vector<std::uint32_t> grass;                   ///< … with its table
+    std::vector<std::uint32_t> grass;              ///< … with its table
 };
 
 /// From where a picture is taken. Outline and curve of a blade may stray by pixelShare of a pixel,
@@ -85,8 +88,8 @@ Surfaces surfacesOf(const field::FieldView& field, const std::vector<BladePose>&
 /// The ground alone, without undergrowth: for rays.
 Surfaces groundOf(const field::FieldView& field);
 
-/// The scattering of a place of a blade, `along` [0, 1] of its height.
-Leaf leafAt(const Surfaces::Strip& strip, float along);
+/// The scattering of a place of a blade, `place` −1 … 1 across and 0 … 1 along it, with its veins.
+Leaf leafAt(const Surfaces::Strip& strip, glm::vec2 place);
 
 /// Albedo of the ground: of its material, image and vertices, with undergrowth on it.
 glm::vec3 groundAlbedo(const Surfaces& surfaces, std::uint32_t triangle, glm::vec3 shares);

@@ -93,7 +93,7 @@ Leaf Tracer::leafOf(const RayHit& hit) const
 {
     const Surfaces& surfaces = scene_.surfaces();
     if (hit.part == Part::blades)
-        return leafAt(surfaces.strips[hit.strip], hit.along);
+        return leafAt(surfaces.strips[hit.strip], {hit.across, hit.along});
     return trace::leafOf(groundAlbedo(surfaces, hit.primitive, hit.shares), glm::vec3(0.0f), 0.0f);
 }
 

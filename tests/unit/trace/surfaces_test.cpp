@@ -56,6 +56,13 @@ TEST(Surfaces, HaveAStripForEachBladeInTheColoursOfTheRenderer)
         EXPECT_EQ(strip.root, colors.root);
         EXPECT_EQ(strip.tip, colors.tip);
         EXPECT_EQ(strip.translucency, meadow.species[0].look.translucency);
+        // A place between two veins, at the middle of the blade.
+        const glm::vec2 place(0.4f, 0.5f);
+        const glm::vec3 wanted =
+            glm::mix(colors.root, colors.tip, shared::tipShareAt(0.5f)) *
+            shared::toneAlong(shared::finishGrass, 0.5f, blade.seed) *
+            shared::veinsAt(shared::finishGrass, place, 255.0f, blade.seed).tone;
+        EXPECT_LT(glm::length(leafAt(strip, place).reflection - wanted), 1e-5f);
     }
     EXPECT_EQ(blades.size(), meadow.blades.size());
 }
@@ -118,6 +125,7 @@ TEST(Surfaces, RayAcrossABladeFindsItsPlace)
             continue; // another blade is between
         ++found;
         EXPECT_NEAR(hit.along, 0.4f, 0.02f);
+        EXPECT_NEAR(hit.across, 0.0f, 0.05f);
         EXPECT_NEAR(glm::length(hit.position - place), 0.0f, 2e-3f);
         EXPECT_GT(glm::dot(hit.normal, normal), 0.95f);
     }

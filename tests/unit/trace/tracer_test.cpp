@@ -135,7 +135,7 @@ TEST(Tracer, LightThroughALeafIsItsTransmission)
     // A large level leaf over nothing, seen from below: only what passes counts, and the ground's.
     Surfaces surfaces = nothing();
     addLeaf(surfaces, {-5, 1, -5}, {-5, 1, 5}, {5, 1, 5}, {5, 1, -5}, glm::vec3(0.2f), 0.5f);
-    const Leaf leaf = leafAt(surfaces.strips[0], 0.5f);
+    const Leaf leaf = leafAt(surfaces.strips[0], {0.0f, 0.5f});
     EXPECT_NEAR(leaf.transmission.x, 0.2f * 1.25f * 0.8f * 0.5f, 1e-6f);
     const RayScene scene(std::move(surfaces));
     const Light light;
