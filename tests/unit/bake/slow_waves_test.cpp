@@ -14,6 +14,9 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <functional>
+#include <numeric>
+#include <string_view>
 #include <vector>
 
 namespace sward::bake {
@@ -228,6 +231,43 @@ TEST(Drifts, KeepSharesAndGatherSpecies)
         EXPECT_NEAR(even, shares[slot], 0.02);
         EXPECT_NEAR(share, shares[slot], 0.02) << slot;
         EXPECT_GT(driftSpread, 1.1 * evenSpread) << slot;
+    }
+}
+
+TEST(Drifts, GatherPlantsInColoniesAndKeepTheirNumber)
+{
+    const terrain::GroundMesh mesh = plain(240.0);
+    const std::vector<RootSample> roots = tests::evenRoots(mesh, 4.0);
+    BakeSettings settings = meadowWith(0.0, 0.8);
+    settings.meadow = loadMeadow("meadow");
+    for (const std::string_view name : {"buttercup", "ox-eye daisy", "bent"}) {
+        const auto species =
+            std::find_if(settings.meadow.species.begin(), settings.meadow.species.end(),
+                         [&](const auto& one) { return one.name == name; });
+        ASSERT_NE(species, settings.meadow.species.end());
+        species->share = 0.1;
+    }
+    const auto all =
+        std::accumulate(settings.meadow.species.begin(), settings.meadow.species.end(), 0.0,
+                        [](double sum, const auto& one) { return sum + one.share; });
+    constexpr std::size_t cells = 80; // of 3 m, with 3 plants of each kind
+    std::array<std::vector<double>, 5> counts;
+    counts.fill(std::vector<double>(cells * cells, 0.0));
+    for (const shared::Blade& blade : sown(mesh, settings, roots)) {
+        const auto column = std::min(std::size_t((double(blade.root.x) + 120.0) / 3.0), cells - 1);
+        const auto row = std::min(std::size_t((double(blade.root.z) + 120.0) / 3.0), cells - 1);
+        counts[blade.species][row * cells + column] += 1.0;
+    }
+    for (std::size_t slot = 2; slot < counts.size(); ++slot) {
+        std::vector<double>& each = counts[slot];
+        const double sum = std::accumulate(each.begin(), each.end(), 0.0);
+        EXPECT_NEAR(sum / double(roots.size()), 0.1 / all, 0.01 / all) << slot;
+        // Evenly spread, the fullest quarter of the cells would hold less than half of the plants.
+        std::sort(each.begin(), each.end(), std::greater<>());
+        const double inColonies =
+            std::accumulate(each.begin(), each.begin() + cells * cells / 4, 0.0);
+        EXPECT_GT(inColonies / sum, 0.58) << slot;
+        EXPECT_LT(inColonies / sum, 0.9) << "some stand alone, " << slot;
     }
 }
 
