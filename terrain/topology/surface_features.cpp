@@ -222,13 +222,15 @@ SurfaceFeatures partOf(const SurfaceFeatures& whole, std::span<const std::uint32
     // Keep an edge if its box is within reach.
     const glm::dvec3 low = glm::dvec3(box.low) - reach;
     const glm::dvec3 high = glm::dvec3(box.high) + reach;
-    const auto inReach = [&](const SurfaceFeatures::BorderEdge& edge) {
+    const auto inReach = [&](const auto& edge) {
         return glm::all(glm::lessThanEqual(glm::dvec3(glm::min(edge.from, edge.to)), high)) &&
                glm::all(glm::greaterThanEqual(glm::dvec3(glm::max(edge.from, edge.to)), low));
     };
     std::copy_if(whole.borders.begin(), whole.borders.end(), std::back_inserter(part.borders),
                  inReach);
     std::copy_if(whole.bareEdges.begin(), whole.bareEdges.end(), std::back_inserter(part.bareEdges),
+                 inReach);
+    std::copy_if(whole.creases.begin(), whole.creases.end(), std::back_inserter(part.creases),
                  inReach);
     return part;
 }

@@ -2,6 +2,7 @@
 
 #include "core/bounds.h"
 #include "terrain/ground_mesh.h"
+#include "terrain/topology/convex_creases.h"
 #include "terrain/topology/topology.h"
 
 #include <glm/vec3.hpp>
@@ -25,6 +26,8 @@ struct SurfaceFeatures {
     std::vector<float> islandArea;     ///< [m²] per triangle: of its connected piece; may be empty
     std::vector<BorderEdge> borders;   ///< of bearing triangles; empty: none or not requested
     std::vector<BorderEdge> bareEdges; ///< see bareEdges(); empty: none or not requested
+
+    std::vector<ConvexCrease> creases; ///< see convexCreases(); empty: none or not requested
 
     std::uint64_t seamVertices = 0; ///< of the whole ground: Topology::seamVertexCount
     std::uint64_t seamEdges = 0;    ///< of the whole ground: Topology::seamEdgeCount

@@ -119,6 +119,28 @@ GrownBlade ribbonOn(const GrownBlade& grown, const field::Organ& organ, std::uin
 constexpr glm::dvec2 litterHeight{0.2, 0.5};
 constexpr glm::dvec2 litterStiffness{0.12, 0.38};
 
+const std::vector<terrain::ConvexCrease> noCreases;
+
+// Height [m] of the higher blades at blade scale 1, by the species' shares, without the stalks of
+// plants where there are others.
+double swardHeight(const Meadow& meadow)
+{
+    const SpeciesMix mix(meadow);
+    const SpeciesShares& shares = mix.evenShares();
+    for (const bool withPlants : {false, true}) {
+        double sum = 0.0;
+        double weight = 0.0;
+        for (std::size_t slot = 0; slot < meadow.species.size(); ++slot)
+            if (withPlants || meadow.species[slot].organs.empty()) {
+                sum += shares.share[slot] * meadow.species[slot].height.y;
+                weight += shares.share[slot];
+            }
+        if (weight > 0.0)
+            return sum / weight;
+    }
+    return 0.0;
+}
+
 // Seed of the clumps of one species' tufts, independent of other species.
 std::uint64_t tuftSeed(std::uint64_t seed, std::size_t slot)
 {
@@ -143,6 +165,8 @@ BladeGrower::BladeGrower(const terrain::GroundMesh& ground, const BakeSettings& 
     , fitsOverhangs_(settings.meadow.fitsOverhangs &&
                      (settings.exposureRays > 0 || settings.clearance > 0.0))
     , paths_(ground, settings, filter, features, whole.scale)
+    , creases_(features != nullptr ? features->creases : noCreases,
+               whole.scale * swardHeight(settings.meadow), settings.meadow.edges.creaseBlend)
     , clumps_(ground, clumpSpacing(settings.meadow.clumpSize * whole.scale, whole.area),
               settings.seed)
     , chooser_(ground, settings, whole.scale, filter, clumps_)
@@ -252,7 +276,7 @@ GrownBlade BladeGrower::growBlade(const RootSample& root, const Surroundings& ar
 
     const glm::uvec3 corners = ground_.triangles[place.triangle];
     const glm::dvec3 groundUp = settings_.groundUp.at(ground_.origin + glm::dvec3(place.position));
-    const glm::dvec3 up = upVector(glm::dvec3(place.normal), groundUp, settings_.align);
+    const glm::dvec3 up = upVector(creases_.normalAt(place), groundUp, settings_.align);
     const glm::dvec3 tangent = surfaceTangent(up, glm::dvec3(ground_.positions[corners.x]),
                                               glm::dvec3(ground_.positions[corners.y]),
                                               glm::dvec3(ground_.positions[corners.z]));

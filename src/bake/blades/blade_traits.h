@@ -3,6 +3,7 @@
 #include "bake/blades/blade_choice.h"
 #include "bake/blades/clumps.h"
 #include "bake/blades/path_edges.h"
+#include "bake/filter/crease_blend.h"
 #include "bake/filter/exposure.h"
 #include "bake/filter/root_filter.h"
 #include "bake/ground/root_sample.h"
@@ -35,7 +36,7 @@ public:
 
     /// All arguments must outlive it. `query` is of the whole scene; null unless settings use
     /// exposure or clearance (which shortens blades to the room above) or growsTufts(). Without
-    /// `features`, paths beside bare triangles are not seen.
+    /// `features`, paths beside bare triangles and creases are not seen.
     BladeGrower(const terrain::GroundMesh& ground, const BakeSettings& settings, const Whole& whole,
                 const RootFilter& filter, const terrain::SurfaceQuery* query,
                 const terrain::SurfaceFeatures* features = nullptr);
@@ -70,6 +71,7 @@ private:
     std::vector<glm::vec3> baseColors_; ///< per material, as drawn
     bool fitsOverhangs_; ///< from the settings; a part of the ground may need no rays
     PathEdges paths_;
+    CreaseBlend creases_;
     Clumps clumps_;
     BladeChooser chooser_;
     std::vector<std::optional<Clumps>> tufts_; ///< per species

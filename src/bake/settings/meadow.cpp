@@ -191,6 +191,7 @@ Meadow meadowFromJson(const json& object, const std::string& place)
     reader.read("path_reach_m", edges.pathReach, 0.0, 100.0);
     reader.read("path_height", edges.pathHeight, 0.05, 1.0);
     reader.read("path_lean", edges.pathLean, 0.0, 1.0);
+    reader.read("crease_blend", edges.creaseBlend, 0.0, 1.0);
     const json& list = reader.child("species");
     reader.finish();
     if (!list.is_array() || list.empty() || list.size() > shared::maxSpecies)
@@ -281,6 +282,7 @@ json meadowToJson(const Meadow& meadow)
             {"path_reach_m", meadow.edges.pathReach},
             {"path_height", meadow.edges.pathHeight},
             {"path_lean", meadow.edges.pathLean},
+            {"crease_blend", meadow.edges.creaseBlend},
             {"species", list}};
 }
 

@@ -47,6 +47,7 @@ struct EdgeTraits {
     double pathReach = 0.4;        ///< [m] from bare ground that goes on level
     double pathHeight = 0.6;       ///< relative height beside it, [0.05, 1]
     double pathLean = 0.6;         ///< [0, 1]: how far blades there lie down, away from it
+    double creaseBlend = 1.0;      ///< [0, 1]: how far blades lean over convex creases
 };
 
 /// A mix of one to eight species.

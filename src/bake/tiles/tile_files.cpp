@@ -283,6 +283,7 @@ void writePart(const fs::path& path, const std::string& id, const TilePart& part
     writer.add(part.features.islandArea);
     writer.add(part.features.borders);
     writer.add(part.features.bareEdges);
+    writer.add(part.features.creases);
     terrain::write(writer, part.ground);
     writer.commit();
 }
@@ -310,6 +311,7 @@ TilePart readPart(const fs::path& folder, std::uint32_t tile, const std::string&
     reader.read(part.features.islandArea);
     reader.read(part.features.borders);
     reader.read(part.features.bareEdges);
+    reader.read(part.features.creases);
     part.ground = terrain::readGround(reader, path.string());
     const auto fits = [](std::size_t features, std::size_t all) {
         return features == 0 || features == all;

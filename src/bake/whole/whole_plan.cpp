@@ -28,6 +28,9 @@ terrain::SurfaceFeatures featuresOf(const terrain::GroundMesh& ground, const Bak
         features = findFeatures(ground, terrain::analyse(ground), choice);
     if (settings.meadow.edges.pathReach > 0.0)
         features.bareEdges = bareEdges(ground);
+    if (settings.meadow.edges.creaseBlend > 0.0)
+        features.creases = convexCreases(ground, {.front = settings.sides != Sides::back,
+                                                  .back = settings.sides != Sides::front});
     return features;
 }
 

@@ -10,19 +10,10 @@
 #include <glm/geometric.hpp>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
-#include <utility>
 
 namespace sward::field {
 namespace {
-
-/// Minimum ground per corner, as a share of a cube's face: such values have little weight, and the
-/// minimum keeps the division bounded.
-constexpr float minGround = 0.02f;
-
-/// Maximum size of pieces of ground, as a share of a cell.
-constexpr float pieceSize = 0.5f;
 
 /// Mean heights of clumps differ by this factor from the field's.
 constexpr float clumpSpread = 1.35f;
@@ -87,47 +78,6 @@ void dealBlades(const FieldView& field, CoverCorners& leaves, CoverCorners& heig
         });
 }
 
-/// Distributes a triangle in pieces no longer than `longest`, by halving its longest side.
-void dealTriangle(std::array<glm::vec3, 3> corners, float longest, CoverCorners& ground)
-{
-    const auto squared = [&](std::size_t i) {
-        const glm::vec3 side = corners[(i + 1) % 3] - corners[i];
-        return glm::dot(side, side);
-    };
-    std::size_t side = 0;
-    for (const std::size_t i : {1u, 2u})
-        if (squared(i) > squared(side))
-            side = i;
-    if (!(squared(side) > longest * longest)) {
-        const float area =
-            0.5f * glm::length(glm::cross(corners[1] - corners[0], corners[2] - corners[0]));
-        ground.deal((corners[0] + corners[1] + corners[2]) / 3.0f, area);
-        return;
-    }
-    const std::size_t next = (side + 1) % 3;
-    const glm::vec3 middle = 0.5f * (corners[side] + corners[next]);
-    std::array<glm::vec3, 3> half = corners;
-    half[next] = middle;
-    dealTriangle(half, longest, ground);
-    half = corners;
-    half[side] = middle;
-    dealTriangle(half, longest, ground);
-}
-
-void dealGround(const DisplayGround& drawn, float longest, CoverCorners& ground)
-{
-    for (const GroundRange& range : drawn.ranges) {
-        if (range.level != 0)
-            continue;
-        for (std::uint32_t i = 0; i + 2 < range.indexCount; i += 3) {
-            const std::uint32_t* const index = &drawn.indices[range.firstIndex + i];
-            dealTriangle({drawn.vertices[index[0]].position, drawn.vertices[index[1]].position,
-                          drawn.vertices[index[2]].position},
-                         longest, ground);
-        }
-    }
-}
-
 } // namespace
 
 shared::Cover LeafAreaGrid::view() const
@@ -135,16 +85,6 @@ shared::Cover LeafAreaGrid::view() const
     shared::Cover cover = shape;
     cover.grass.at = values.data();
     return cover;
-}
-
-std::vector<float> groundAreasOf(const FieldView& field, const shared::Cover& shape)
-{
-    const float edge = 1.0f / shape.cellsPerMetre;
-    CoverCorners ground(shape);
-    dealGround(*field.ground, pieceSize * edge, ground);
-    for (float& area : ground.amounts())
-        area = std::max(area, minGround * edge * edge);
-    return std::move(ground.amounts());
 }
 
 shared::Cover coverShapeOf(const FieldView& field)

@@ -40,7 +40,8 @@ std::uint32_t grassOf(float leaves, float heights, float ground, float meanHeigh
 /// Its grid, also for a field without blades.
 shared::Cover coverShapeOf(const FieldView& field);
 
-/// m² of ground at the corners of the grid, never 0.
+/// m² of ground at the corners of the grid, never 0; at convex edges, of the surface half a mean
+/// blade above the ground.
 std::vector<float> groundAreasOf(const FieldView& field, const shared::Cover& shape);
 
 /// Colours and structure of the ground under a field's grass: members undergrowth, sward, thinned

@@ -213,5 +213,48 @@ TEST(SurfaceFeatures, OfAPartAreThoseOfTheWhole)
     EXPECT_EQ(part.borders.size(), 8U);
 }
 
+TEST(ConvexCreases, AreTheEdgesOfACube)
+{
+    GroundMesh cube = meshes::cube(2.0);
+    const std::vector<ConvexCrease> creases = convexCreases(cube);
+    ASSERT_EQ(creases.size(), 12U);
+    for (const ConvexCrease& crease : creases) {
+        EXPECT_FLOAT_EQ(glm::length(crease.to - crease.from), 2.0f);
+        EXPECT_NEAR(glm::dot(crease.normals[0], crease.normals[1]), 0.0f, 1e-6f);
+        // Both normals point away from the middle of the solid.
+        for (const glm::vec3& normal : crease.normals)
+            EXPECT_NEAR(glm::dot(normal, 0.5f * (crease.from + crease.to)), 1.0f, 1e-6f);
+    }
+    EXPECT_TRUE(convexCreases(cube, {.front = false, .back = true}).empty());
+    std::fill(cube.bears.begin(), cube.bears.end(), std::uint8_t(0));
+    EXPECT_TRUE(convexCreases(cube).empty());
+}
+
+TEST(ConvexCreases, OfARoomLieOnItsOuterSide)
+{
+    GroundMesh room = meshes::cube(2.0);
+    for (glm::uvec3& t : room.triangles)
+        std::swap(t.y, t.z);
+    for (glm::vec3& normal : room.normals)
+        normal = -normal;
+    EXPECT_TRUE(convexCreases(room).empty());
+    const auto creases = convexCreases(room, {.front = false, .back = true});
+    ASSERT_EQ(creases.size(), 12U);
+    for (const ConvexCrease& crease : creases)
+        EXPECT_GT(glm::dot(crease.normals[0], crease.from), 0.0f);
+}
+
+TEST(ConvexCreases, AreNotOnSmoothFlatOrBrokenGround)
+{
+    for (const GroundMesh& mesh : {meshes::grid(8, 4.0), meshes::hills(10.0, 16), meshes::book(),
+                                   meshes::sphere(16, 1.0)})
+        EXPECT_TRUE(convexCreases(mesh).empty());
+    // A coarse ball whose file has one normal for each vertex is smooth in spite of its facets.
+    GroundMesh cube = meshes::cube(2.0);
+    for (std::size_t v = 0; v < cube.positions.size(); ++v)
+        cube.normals[v] = glm::normalize(cube.positions[v]);
+    EXPECT_TRUE(convexCreases(cube).empty());
+}
+
 } // namespace
 } // namespace sward::terrain
