@@ -25,7 +25,7 @@ BladeSurface bladeSurface(DrawnBlade drawn, VisibleBlade visible, LeafAreaLimit 
 {
     const Blade blade = drawn.blade;
     const Species species = drawn.species;
-    const vec2 grass = grassAt(FRAME.cover, blade.root);
+    const vec3 grass = grassAt(FRAME.cover, blade.root);
     const float leafArea = grass.x;
     BladeColors colors = bladeColors(FRAME.cover, blade, species, leafArea);
     if (debugMode() == 1u)

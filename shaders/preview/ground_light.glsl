@@ -87,7 +87,8 @@ vec4 groundPicture(GroundPoint point)
     // The surrounding grass absorbs its share of the light, up to the draw distance.
     const float farthest = FRAME.cover.farthest;
     const float grown = 1.0 - smoothstep(0.8 * farthest, farthest, distance);
-    const float blades = leafAreaAt(FRAME.cover, point.position) * grown;
+    const vec3 grass = grassAt(FRAME.cover, point.position);
+    const float blades = grass.x * grown;
     const float leafArea = FRAME.cover.thinned * blades;
     const vec3 far = abs(point.position);
     const float pixel = max(distance / FRAME.view.pixelsPerUnit, placeStep * max(far.x, max(far.y, far.z)));
@@ -114,7 +115,7 @@ vec4 groundPicture(GroundPoint point)
         const Relief litter = strands(point.position, size, pixel);
         brightness += under * max(relief.brightness * litter.brightness, 0.2);
         rough = under * (relief.slope + litter.slope);
-        shade = meadowShade(point.position);
+        shade = meadowShade(point.position, toneOf(grass));
         albedo = mix(albedo, shade * FRAME.cover.undergrowth, under);
     }
     n = normalize(n - (rough - n * dot(n, rough)));

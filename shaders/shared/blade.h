@@ -33,7 +33,7 @@ struct Blade {
     float exposure;  ///< [0, 1] share of open sky above the root
     uint species;    ///< slot in the field's species table, 0–7
     vec3 tint;       ///< [0, 1] colour of the ground at the root, as stored in images (sRGB)
-    uint clump;      ///< 0–254, the same for neighbours of one clump; driedClump
+    uint clump;      ///< 0–254, about the same for neighbours of one clump; driedClump
     uint hash;       ///< 0–15
     uint seed;       ///< seedOf() its packed form; packBlade() ignores it
 };

@@ -33,24 +33,40 @@ struct Cover {
 };
 SHARED_LAYOUT(Cover, 112)
 
-/// A corner of the grid: the leaf area index, m² of blade (one side) per m² of ground; and its mean
-/// over the leaves of their blades' height, relative to the field's.
-SHARED_FN uint packGrass(float leafArea, float height)
+/// Bits of a corner that hold the tone: the signs of both halves, and the last two bits of the
+/// second.
+SHARED_CONST uint toneBits = 0x80038000u;
+
+/// A corner of the grid: the leaf area index, m² of blade (one side) per m² of ground; and its means
+/// over the leaves of their blades' height, relative to the field's, and of clumpTone() [0, 1],
+/// within 1/30.
+SHARED_FN uint packGrass(float leafArea, float height, float tone)
 {
-    return packHalf2x16(vec2(leafArea, leafArea * height));
+    const uint halves = packHalf2x16(vec2(leafArea, leafArea * height)) + 0x20000u;
+    const uint step = uint(clamp(tone, 0.0f, 1.0f) * 15.0f + 0.5f);
+    return (halves & ~toneBits) | ((step & 3u) << 16u) | ((step & 4u) << 13u) |
+           ((step & 8u) << 28u);
 }
 
-SHARED_FN vec2 mixGrass(uint a, uint b, float share)
+/// packGrass() undone: leaf area index, and that times the others.
+SHARED_FN vec3 unpackGrass(uint corner)
 {
-    return mix(unpackHalf2x16(a), unpackHalf2x16(b), share);
+    const vec2 grass = unpackHalf2x16(corner & ~toneBits);
+    const uint step = ((corner >> 16u) & 3u) | ((corner >> 13u) & 4u) | ((corner >> 28u) & 8u);
+    return vec3(grass.x, grass.y, grass.x * float(step) * (1.0f / 15.0f));
+}
+
+SHARED_FN vec3 mixGrass(uint a, uint b, float share)
+{
+    return mix(unpackGrass(a), unpackGrass(b), share);
 }
 
 /// The grass at a place, interpolated between eight corners: its leaf area index, and that times
-/// the relative height. 0 without grass.
-SHARED_FN vec2 grassAt(Cover cover, vec3 position)
+/// the relative height and times the tone. 0 without grass.
+SHARED_FN vec3 grassAt(Cover cover, vec3 position)
 {
     if (cover.countX == 0u)
-        return vec2(0.0f);
+        return vec3(0.0f);
     const vec3 last = vec3(float(cover.countX), float(cover.countY), float(cover.countZ)) - 1.0f;
     const vec3 place = clamp((position - cover.low) * cover.cellsPerMetre, vec3(0.0f), last);
     const vec3 cell = min(floor(place), last - 1.0f);
@@ -59,10 +75,10 @@ SHARED_FN vec2 grassAt(Cover cover, vec3 position)
     const uint stepZ = cover.countX * cover.countY;
     const uint i = uint(cell.x) + stepY * uint(cell.y) + stepZ * uint(cell.z);
     const uint j = i + stepZ;
-    const vec2 near =
+    const vec3 near =
         mix(mixGrass(cover.grass.at[i], cover.grass.at[i + 1u], f.x),
             mixGrass(cover.grass.at[i + stepY], cover.grass.at[i + stepY + 1u], f.x), f.y);
-    const vec2 far =
+    const vec3 far =
         mix(mixGrass(cover.grass.at[j], cover.grass.at[j + 1u], f.x),
             mixGrass(cover.grass.at[j + stepY], cover.grass.at[j + stepY + 1u], f.x), f.y);
     return mix(near, far, f.z);
@@ -74,9 +90,15 @@ SHARED_FN float leafAreaAt(Cover cover, vec3 position)
     return grassAt(cover, position).x;
 }
 
+/// Mean tone of the clumps at a place, from grassAt(); 0.5 without grass.
+SHARED_FN float toneOf(vec3 grass)
+{
+    return grass.x > 0.0f ? grass.z / grass.x : 0.5f;
+}
+
 /// Steps of Cover::leaves per metre, where the grass is `grass`. Lower grass has the same curve
 /// over less height.
-SHARED_FN float heightStepsPerMetre(Cover cover, vec2 grass)
+SHARED_FN float heightStepsPerMetre(Cover cover, vec3 grass)
 {
     return cover.stepsPerMetre * (grass.y > 0.0f ? grass.x / grass.y : 1.0f);
 }

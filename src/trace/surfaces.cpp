@@ -217,8 +217,10 @@ glm::vec3 groundAlbedo(const Surfaces& surfaces, std::uint32_t triangle, glm::ve
         albedo *= imageAt(surfaces.images[material.image], between(surfaces.groundUvs));
     if (surfaces.cover.countX > 0) {
         const glm::vec3 place = between(surfaces.groundPoints);
-        const float leafArea = surfaces.cover.thinned * shared::leafAreaAt(surfaces.cover, place);
-        albedo = shared::groundUnder(surfaces.cover, albedo, shared::meadowShade(place), leafArea);
+        const glm::vec3 grass = shared::grassAt(surfaces.cover, place);
+        albedo = shared::groundUnder(surfaces.cover, albedo,
+                                     shared::meadowShade(place, shared::toneOf(grass)),
+                                     surfaces.cover.thinned * grass.x);
     }
     return glm::clamp(albedo, 0.0f, 1.0f);
 }

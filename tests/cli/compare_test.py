@@ -9,8 +9,9 @@ from support import CliTest, DIFFERENCE, INPUT, IO, USAGE
 
 AXIS, ANGLE = (1.0, 2.0, -0.5), 2.1
 # By default a heightfield bears no grass on cliffs, and what is a cliff depends on the direction up.
-# The slow waves of a meadow lie in the world, and a turned mesh lies in others of them.
-COUNT = ("--count", "20000", "--slope", "0:180", "--set", "height_waves=0", "--set", "drifts=0")
+# The slow waves and the wide variation of a meadow lie in the world, and a turned mesh lies in others of them.
+COUNT = ("--count", "20000", "--slope", "0:180", "--set", "height_waves=0", "--set", "drifts=0", "--set",
+         "wide_variation=0")
 
 
 class Turned(CliTest):

@@ -58,13 +58,22 @@ SHARED_FN vec3 shiftOf(float hue)
     return vec3(1.0f + 0.75f * hue, 1.0f + 0.10f * hue, 1.0f - 0.45f * hue);
 }
 
-/// The same variation of lush and dry places for the undergrowth.
-SHARED_FN vec3 meadowShade(vec3 position)
+/// Tone of a clump by its number, 0 to 254: [0, 1], mean 0.5. Lush and dark are low, dry and light
+/// are high.
+SHARED_FN float clumpTone(uint clump)
+{
+    return chance(clump * 977u + 11u);
+}
+
+/// The same variation of lush and dry places for the undergrowth. `tone`: toneOf() the grass.
+SHARED_FN vec3 meadowShade(vec3 position, float tone)
 {
     const float meadow = meadowAt(position);
     const float region = regionAt(position);
-    const float hue = 0.45f * (1.1f * (meadow - 0.5f) + 1.2f * (region - 0.5f));
-    const float light = 1.0f + 0.45f * (0.5f * (meadow - 0.5f) + 0.4f * (region - 0.5f));
+    const float hue =
+        0.45f * (0.7f * (tone - 0.5f) + 1.1f * (meadow - 0.5f) + 1.2f * (region - 0.5f));
+    const float light = 1.0f + 0.45f * (0.6f * (tone - 0.5f) + 0.5f * (meadow - 0.5f) +
+                                        0.4f * (region - 0.5f));
     return light * shiftOf(hue);
 }
 
@@ -72,7 +81,7 @@ SHARED_FN vec3 meadowShade(vec3 position)
 /// picture, also after an edit has moved it. `leafArea`: that of the blades at the root.
 SHARED_FN BladeColors bladeColors(Cover cover, Blade blade, Species species, float leafArea)
 {
-    const float clump = chance(blade.clump * 977u + 11u);
+    const float clump = clumpTone(blade.clump);
     const uint kept = uint(blade.facing * (256.0f / twoPi) + 0.5f) |
                       (uint(blade.stiffness * 63.0f + 0.5f) << 8u) |
                       (uint(blade.tint.y * 63.0f + 0.5f) << 14u) | (blade.clump << 20u);

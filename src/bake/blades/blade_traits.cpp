@@ -169,6 +169,7 @@ BladeGrower::BladeGrower(const terrain::GroundMesh& ground, const BakeSettings& 
                whole.scale * swardHeight(settings.meadow), settings.meadow.edges.creaseBlend)
     , clumps_(ground, clumpSpacing(settings.meadow.clumpSize * whole.scale, whole.area),
               settings.seed)
+    , variation_(ground, settings, whole.scale, clumps_, query)
     , chooser_(ground, settings, whole.scale, filter, clumps_)
     , tufts_(settings.meadow.species.size())
 {
@@ -294,6 +295,14 @@ GrownBlade BladeGrower::growBlade(const RootSample& root, const Surroundings& ar
     }
     double stiffness = within(species.stiffness, stiffnessShare);
 
+    // Lain patches of the meadow. Short grass stands.
+    WideVariation::Traits wide = variation_.at(choice.clump);
+    wide.moisture += 0.5f * (1.0f - around.exposure);
+    const double lain = meadow.wideVariation * double(wide.lain);
+    if (lain > 0.0)
+        front = turnedTowards(front, up, variation_.lainTowards(*choice.clump), 0.75 * lain);
+    stiffness *= 1.0 - 0.45 * lain;
+
     // Beside a path blades are trodden, but not at the foot of what stands there.
     const EdgeTraits& edges = meadow.edges;
     const auto foot = static_cast<double>(around.foot);
@@ -312,6 +321,7 @@ GrownBlade BladeGrower::growBlade(const RootSample& root, const Surroundings& ar
         paint.height * scale_ * (1.0 + meadow.heightWaves * double(choice.heightWave)) *
         (sparse + (1.0 - sparse) * stand.vigour[slot]) *
         within(species.height, dice.blended(Dimension::height, 0.7 * species.clumping)) *
+        variation_.heightFactor(wide) *
         (1.0 + (edges.occluderHeight - 1.0) * foot) * (1.0 - (1.0 - edges.pathHeight) * trodden);
     if (isLitter) {
         height *= within(litterHeight, dice.own(Dimension::hash));
@@ -334,7 +344,8 @@ GrownBlade BladeGrower::growBlade(const RootSample& root, const Surroundings& ar
     blade.exposure = around.exposure;
     blade.species = slot;
     blade.tint = groundColor(ground_, place, baseColors_, colorsAreMask_);
-    blade.clump = isDried ? shared::driedClump : dice.clumpNumber();
+    blade.clump = isDried ? shared::driedClump
+                          : variation_.clumpNumber(dice.clumpNumber(), wide);
     blade.hash = dice.hash();
     return grown;
 }

@@ -3,6 +3,7 @@
 #include "bake/blades/blade_choice.h"
 #include "bake/blades/clumps.h"
 #include "bake/blades/path_edges.h"
+#include "bake/blades/wide_variation.h"
 #include "bake/filter/crease_blend.h"
 #include "bake/filter/exposure.h"
 #include "bake/filter/root_filter.h"
@@ -73,6 +74,7 @@ private:
     PathEdges paths_;
     CreaseBlend creases_;
     Clumps clumps_;
+    WideVariation variation_;
     BladeChooser chooser_;
     std::vector<std::optional<Clumps>> tufts_; ///< per species
 };

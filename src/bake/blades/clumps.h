@@ -45,6 +45,13 @@ public:
 
     std::size_t size() const { return clumps_.size(); }
 
+    /// A clump by its place in memory, which differs from run to run, and that place.
+    const Clump& operator[](std::size_t index) const { return clumps_[index]; }
+    std::size_t indexOf(const Clump& clump) const
+    {
+        return static_cast<std::size_t>(&clump - clumps_.data());
+    }
+
 private:
     void scatter(const terrain::GroundMesh& ground, double spacing, std::uint64_t key);
     void sortIntoBuckets();

@@ -271,7 +271,9 @@ double reachOf(const terrain::GroundMesh& ground, const BakeSettings& settings, 
         reach = std::max(reach, settings.rayLength * scale);
     if (hasOccluders(ground))
         reach = std::max(reach, OccluderTest::reach);
-    reach = std::max(reach, 1.5 * clumpSpacing);
+    const bool isWide = settings.meadow.wideVariation > 0.0;
+    reach =
+        std::max(reach, 1.5 * clumpSpacing + (isWide ? wideVariationReach * scale : 0.0));
     reach = std::max(reach, settings.meadow.edges.pathReach * scale);
     double painted = 1.0;
     for (const Stroke& stroke : settings.strokes.list)
@@ -280,6 +282,7 @@ double reachOf(const terrain::GroundMesh& ground, const BakeSettings& settings, 
     for (const SpeciesTraits& species : settings.meadow.species) {
         reach = std::max(reach, painted * species.height.y * scale *
                                     (1.0 + settings.meadow.heightWaves) *
+                                    (isWide ? wideVariationHeight : 1.0) *
                                     std::max(1.0, settings.meadow.edges.occluderHeight));
         reach = std::max(reach, 3.0 * species.tuftSpacing * scale);
     }

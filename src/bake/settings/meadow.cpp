@@ -181,6 +181,7 @@ Meadow meadowFromJson(const json& object, const std::string& place)
     reader.read("clump_size_m", meadow.clumpSize, 0.0, 1e6);
     reader.read("sparse_height", meadow.sparseHeight, 0.0, 1.0);
     reader.read("height_waves", meadow.heightWaves, 0.0, 0.5);
+    reader.read("wide_variation", meadow.wideVariation, 0.0, 1.0);
     reader.read("drifts", meadow.drifts, 0.0, 1.0);
     reader.read("cover_from_above", meadow.closedCover, 0.01, 0.999);
     reader.read("fit_overhangs", meadow.fitsOverhangs);
@@ -273,6 +274,7 @@ json meadowToJson(const Meadow& meadow)
             {"clump_size_m", meadow.clumpSize},
             {"sparse_height", meadow.sparseHeight},
             {"height_waves", meadow.heightWaves},
+            {"wide_variation", meadow.wideVariation},
             {"drifts", meadow.drifts},
             {"cover_from_above", meadow.closedCover},
             {"fit_overhangs", meadow.fitsOverhangs},

@@ -50,13 +50,19 @@ struct EdgeTraits {
     double creaseBlend = 1.0;      ///< [0, 1]: how far blades lean over convex creases
 };
 
+/// Distance [m] at blade scale 1 at which the ground's form changes grass by Meadow::wideVariation,
+/// and the greatest factor of a blade's height.
+inline constexpr double wideVariationReach = 9.0;
+inline constexpr double wideVariationHeight = 1.2;
+
 /// A mix of one to eight species.
 struct Meadow {
     std::string name = "meadow"; ///< name of the meadow
     double clumpSize = 0.7;      ///< [m] typical distance of clumps, at blade scale 1; 0: no clumps
     double sparseHeight = 0.6;   ///< relative height where filter weights are near 0
     double heightWaves = 0.0;    ///< [0, 0.5] relative rise and fall of height over the ground
-    double drifts = 0.0; ///< [0, 1]: how far species keep to places of their own, metres wide
+    double wideVariation = 0.0; ///< [0, 1]: how far grass varies in patches of 5 to 50 m
+    double drifts = 0.0;        ///< [0, 1]: how far species keep to places of their own, metres wide
     double closedCover =
         0.88; ///< [0.01, 0.999] of the ground hidden from above, at its own density
     bool fitsOverhangs = true; ///< shortens blades to the room above them, if rays are cast

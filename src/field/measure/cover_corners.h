@@ -4,6 +4,7 @@
 #include "field/organs.h"
 #include "shaders/shared/blade.h"
 #include "shaders/shared/cover.h"
+#include "shaders/shared/look/blade_colors.h"
 
 #include <glm/common.hpp>
 
@@ -68,6 +69,7 @@ struct CoverBlade {
     glm::vec3 root;
     float height;                ///< [m] of it, or of its plant
     float area;                  ///< [m²] of them together
+    float tone;                  ///< clumpTone(); 0.5 if it has none
     const shared::Species* look; ///< never null
 };
 
@@ -84,9 +86,11 @@ void forSomeBlades(std::span<const Species> species, const shared::Patch& cell,
         const BladePart part = partOf(species[blade.species], blade);
         const float area = part.length * blade.width *
                            shared::outlineArea(part.look->shape, part.look->tipThreshold);
+        // Plants stand alone, and dead blades have a colour of their own.
+        const bool hasTone = species[blade.species].organs.empty() && blade.clump != shared::driedClump;
         visit(CoverBlade{blade.root, blade.height,
                          area * static_cast<float>(cell.bladeCount) / static_cast<float>(read),
-                         part.look});
+                         hasTone ? shared::clumpTone(blade.clump) : 0.5f, part.look});
     }
 }
 

@@ -66,8 +66,9 @@ shared::Cover shapeOf(const FieldView& field)
     return shape;
 }
 
-/// Deals the area of blades, and that times their height.
-void dealBlades(const FieldView& field, CoverCorners& leaves, CoverCorners& heights)
+/// Deals the area of blades, and that times their height and their tone.
+void dealBlades(const FieldView& field, CoverCorners& leaves, CoverCorners& heights,
+                CoverCorners& tones)
 {
     const double all = static_cast<double>(std::max<std::size_t>(field.blades.size(), 1));
     const double share = std::min(1.0, static_cast<double>(maxCoverBlades) / all);
@@ -75,6 +76,7 @@ void dealBlades(const FieldView& field, CoverCorners& leaves, CoverCorners& heig
         forSomeBlades(field.species, cell, field.blades, share, [&](const CoverBlade& blade) {
             leaves.deal(blade.root, blade.area);
             heights.deal(blade.root, blade.area * blade.height);
+            tones.deal(blade.root, blade.area * blade.tone);
         });
 }
 
@@ -103,25 +105,28 @@ LeafAreaGrid leafAreaOf(const FieldView& field)
     grid.meanHeight = leafHeights.mean;
     CoverCorners leaves(grid.shape);
     CoverCorners heights(grid.shape);
-    dealBlades(field, leaves, heights);
+    CoverCorners tones(grid.shape);
+    dealBlades(field, leaves, heights, tones);
     const std::vector<float> ground = groundAreasOf(field, grid.shape);
     grid.values.reserve(ground.size());
     for (std::size_t i = 0; i < ground.size(); ++i)
         grid.values.push_back(
-            grassOf(leaves.amounts()[i], heights.amounts()[i], ground[i], grid.meanHeight));
+            grassOf({leaves.amounts()[i], heights.amounts()[i], tones.amounts()[i]}, ground[i],
+                    grid.meanHeight));
     return grid;
 }
 
-std::uint32_t grassOf(float leaves, float heights, float ground, float meanHeight)
+std::uint32_t grassOf(glm::vec3 leaves, float ground, float meanHeight)
 {
-    if (!(leaves > 0.0f))
+    if (!(leaves.x > 0.0f))
         return 0;
-    float relative = meanHeight > 0.0f ? heights / leaves / meanHeight : 1.0f;
+    float relative = meanHeight > 0.0f ? leaves.y / leaves.x / meanHeight : 1.0f;
     // Clumps shade one another: only where all of the grass is lower or higher does that count.
     relative = relative < 1.0f ? std::min(relative * clumpSpread, 1.0f)
                                : std::max(relative / clumpSpread, 1.0f);
     // Halves hold 65 504.
-    return shared::packGrass(std::min(leaves / ground, 1000.0f), std::min(relative, 60.0f));
+    return shared::packGrass(std::min(leaves.x / ground, 1000.0f), std::min(relative, 60.0f),
+                             leaves.z / leaves.x);
 }
 
 void describeUndergrowth(const FieldView& field, shared::Cover& cover)

@@ -24,8 +24,8 @@ EditedCover::EditedCover(const field::FieldView& field, const field::LeafAreaGri
     : shape_(grid.shape)
     , species_(field.species.begin(), field.species.end())
     , meanHeight_(grid.meanHeight)
-    , scratch_(grid.values.size(), glm::vec2(0.0f))
-    , leaves_(grid.values.size(), glm::dvec2(0.0))
+    , scratch_(grid.values.size(), glm::vec3(0.0f))
+    , leaves_(grid.values.size(), glm::dvec3(0.0))
     , ground_(field::groundAreasOf(field, grid.shape))
     , values_(grid.values)
 {
@@ -58,18 +58,18 @@ EditedCover::Cell EditedCover::measured(std::span<const shared::Patch> patches,
                         return;
                     if (scratch_[corner].x == 0.0f)
                         cell.corners.push_back({static_cast<std::uint32_t>(corner), {}});
-                    scratch_[corner] += part * glm::vec2(1.0f, blade.height);
+                    scratch_[corner] += part * glm::vec3(1.0f, blade.height, blade.tone);
                 });
         });
     for (Corner& corner : cell.corners)
-        corner.amounts = std::exchange(scratch_[corner.index], glm::vec2(0.0f));
+        corner.amounts = std::exchange(scratch_[corner.index], glm::vec3(0.0f));
     return cell;
 }
 
 void EditedCover::add(const Cell& cell, double sign)
 {
     for (const Corner& corner : cell.corners)
-        leaves_[corner.index] += sign * glm::dvec2(corner.amounts);
+        leaves_[corner.index] += sign * glm::dvec3(corner.amounts);
     sum_.roots += sign * cell.roots;
     sum_.tips += sign * cell.tips;
     sum_.leaves += sign * cell.leaves;
@@ -103,10 +103,9 @@ PlaceRange EditedCover::apply(const field::Delta& delta, shared::Cover& cover)
         field::describeHeights(field::leafHeightsOf(meanHeight_), cover);
     }
     for (std::uint32_t corner = low; corner < end; ++corner) {
-        const glm::dvec2 amounts = leaves_[corner];
+        const glm::dvec3 amounts = leaves_[corner];
         values_[corner] = amounts.x < nothing ? 0
-                                              : field::grassOf(static_cast<float>(amounts.x),
-                                                               static_cast<float>(amounts.y),
+                                              : field::grassOf(glm::vec3(amounts),
                                                                ground_[corner], meanHeight_);
     }
     if (sum_.leaves > nothing)

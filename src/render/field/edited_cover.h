@@ -6,7 +6,6 @@
 #include "render/field/free_ranges.h"
 #include "render/field/grass_cover.h"
 
-#include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
 
 #include <cstdint>
@@ -35,7 +34,7 @@ public:
 private:
     struct Corner {
         std::uint32_t index = 0;
-        glm::vec2 amounts{0.0f}; ///< [m²] of blades, and that times their height [m]
+        glm::vec3 amounts{0.0f}; ///< [m²] of blades, that times their height [m], and their tone
     };
     struct Cell {
         std::vector<Corner> corners;
@@ -53,8 +52,8 @@ private:
     std::vector<field::Species> species_;
     std::map<field::CellIndex, Cell> cells_;
     float meanHeight_;               ///< [m] 0: the field was bare
-    std::vector<glm::vec2> scratch_; ///< one per corner, all 0
-    std::vector<glm::dvec2> leaves_; ///< Corner::amounts of all cells
+    std::vector<glm::vec3> scratch_; ///< one per corner, all 0
+    std::vector<glm::dvec3> leaves_; ///< Corner::amounts of all cells
     std::vector<float> ground_;      ///< [m²]
     std::vector<std::uint32_t> values_;
     Cell sum_; ///< of colours

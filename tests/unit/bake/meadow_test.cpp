@@ -91,7 +91,7 @@ TEST(Meadow, WritesEverythingThatItReads)
         "name": "all", "clump_size_m": 0.3, "sparse_height": 0.5, "cover_from_above": 0.25,
         "fit_overhangs": false, "height_waves": 0.25, "drifts": 0.5, "occluder_reach_m": 0.7,
         "occluder_height": 2, "occluder_dryness": 0.75, "path_reach_m": 0.3, "path_height": 0.25,
-        "path_lean": 0.125,
+        "path_lean": 0.125, "crease_blend": 0.375, "wide_variation": 0.625,
         "species": [{
             "name": "one", "share": 0.25, "priority": -2, "cover": 0.5, "slope": "5:40~2.5",
             "altitude": ":300", "curvature": "-0.1:", "mask": ["vertex-color:G:invert",
@@ -123,6 +123,8 @@ TEST(Meadow, WritesEverythingThatItReads)
     EXPECT_EQ(meadow.edges.pathReach, 0.3);
     EXPECT_EQ(meadow.edges.pathHeight, 0.25);
     EXPECT_EQ(meadow.edges.pathLean, 0.125);
+    EXPECT_EQ(meadow.edges.creaseBlend, 0.375);
+    EXPECT_EQ(meadow.wideVariation, 0.625);
     EXPECT_EQ(one.tuftLean, 0.5);
     EXPECT_EQ(one.tuftLitter, 0.25);
     EXPECT_EQ(toJson(parseMeadow(toJson(meadow), "again")), toJson(meadow));

@@ -34,6 +34,7 @@ BakeSettings meadowWith(double heightWaves, double drifts)
     settings.meadow = loadMeadow("grass");
     settings.meadow.heightWaves = heightWaves;
     settings.meadow.drifts = drifts;
+    settings.meadow.wideVariation = 0.0;
     return settings;
 }
 

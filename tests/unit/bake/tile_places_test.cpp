@@ -47,6 +47,7 @@ BakeSettings choosy()
                           std::make_shared<terrain::GroundMesh>(
                               meshes::moved(meshes::cube(20.0), {10.0, 5.0, 30.0}))}};
     settings.meadow.clumpSize = 1.5;
+    settings.meadow.wideVariation = 1.0;
     settings.meadow.species.resize(3);
     settings.meadow.species[0].tuftSpacing = 1.2;
     settings.meadow.species[1].habitat.altitude = {-unbounded, 2.0, 3.0};

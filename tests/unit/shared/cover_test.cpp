@@ -134,7 +134,8 @@ TEST(Cover, ReadsWhatIsLinearInSpaceAsItIs)
         for (uint y = 0; y < cover.countY; ++y)
             for (uint x = 0; x < cover.countX; ++x)
                 values.push_back(
-                    packGrass(truth(cover.low + 0.5f * vec3(float(x), float(y), float(z))), 0.5f));
+                    packGrass(truth(cover.low + 0.5f * vec3(float(x), float(y), float(z))), 0.5f,
+                              0.25f * float(x)));
     cover.grass.at = values.data();
 
     const vec3 size(2.0f, 1.0f, 1.5f);
@@ -144,6 +145,7 @@ TEST(Cover, ReadsWhatIsLinearInSpaceAsItIs)
                                                static_cast<float>(uniform(4, i, 2)));
         EXPECT_NEAR(leafAreaAt(cover, p), truth(p), 4e-3f); // halves
         EXPECT_NEAR(grassAt(cover, p).y, 0.5f * truth(p), 4e-3f);
+        EXPECT_NEAR(toneOf(grassAt(cover, p)), 0.5f * (p.x - cover.low.x), 0.04f);
     }
     // Its last corner, and what is outside: as at its surface.
     EXPECT_NEAR(leafAreaAt(cover, cover.low + size), truth(cover.low + size), 4e-3f);

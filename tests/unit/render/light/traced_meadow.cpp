@@ -75,7 +75,7 @@ TracedMeadow::TracedMeadow(const std::string& meadow, double density, double sid
 }
 
 void TracedMeadow::addBlade(const field::Field& field, const std::vector<shared::Organ>& organs,
-                            const shared::Blade& blade, glm::vec2 grass,
+                            const shared::Blade& blade, glm::vec3 grass,
                             std::vector<glm::vec3>& corners, std::vector<glm::uvec3>& triangles,
                             std::vector<std::pair<double, double>>& areas)
 {

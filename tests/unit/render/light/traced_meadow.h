@@ -72,13 +72,13 @@ private:
     };
 
     struct Traced {
-        glm::vec2 grass; ///< grassAt() its root
+        glm::vec3 grass; ///< grassAt() its root
         float translucency;
         glm::vec3 v0, v1, v2;
     };
 
     void addBlade(const field::Field& field, const std::vector<shared::Organ>& organs,
-                  const shared::Blade& blade, glm::vec2 grass, std::vector<glm::vec3>& corners,
+                  const shared::Blade& blade, glm::vec3 grass, std::vector<glm::vec3>& corners,
                   std::vector<glm::uvec3>& triangles,
                   std::vector<std::pair<double, double>>& areas);
 
