@@ -50,7 +50,7 @@ constexpr double moistHeight = 0.12;
 // chance.
 constexpr double placeTone = 0.55;
 constexpr double grazedTone = 0.25;
-constexpr double chanceTone = 0.45;
+constexpr double chanceTone = 0.7;
 
 // Rays end as far aside as below.
 static_assert(wideVariationReach > 1.45 * hollowRadius);

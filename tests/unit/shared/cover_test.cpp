@@ -116,8 +116,8 @@ TEST(Cover, ReadsTheLeafAreaAboveAHeight)
     EXPECT_EQ(leafShareAbove(cover, 100.0f), 0.0f);
     // Grass of half the height has twice the steps per metre.
     cover.stepsPerMetre = 16.0f;
-    EXPECT_EQ(heightStepsPerMetre(cover, vec2(3.0f, 1.5f)), 32.0f);
-    EXPECT_EQ(heightStepsPerMetre(cover, vec2(0.0f)), 16.0f);
+    EXPECT_EQ(heightStepsPerMetre(cover, vec3(3.0f, 1.5f, 1.0f)), 32.0f);
+    EXPECT_EQ(heightStepsPerMetre(cover, vec3(0.0f)), 16.0f);
 }
 
 TEST(Cover, ReadsWhatIsLinearInSpaceAsItIs)
