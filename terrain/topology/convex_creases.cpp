@@ -13,11 +13,11 @@ namespace {
 
 // Cosines of the least and of the greatest angle between two normals: about 26° and 154°. Below,
 // blades leave no gap. Above, the sheet is folded on itself and has no direction between.
-constexpr double leastTurn = 0.9;
-constexpr double greatestTurn = -0.9;
+constexpr double minTurnCosine = 0.9;
+constexpr double maxTurnCosine = -0.9;
 
 // Sine of the least angle at which a neighbour must fall below a triangle's plane.
-constexpr double leastFall = 0.02;
+constexpr double minFall = 0.02;
 
 // Edge e of a triangle runs from corner e to corner e+1.
 struct CreaseSide {
@@ -102,11 +102,11 @@ std::vector<ConvexCrease> convexCreases(const GroundMesh& mesh, CreaseSides side
         const glm::dvec3 ownNormal = normalAlong(mesh, one);
         const glm::dvec3 otherNormal = normalAlong(mesh, two);
         const double turn = glm::dot(ownNormal, otherNormal);
-        if (!(turn < leastTurn && turn > greatestTurn))
+        if (!(turn < minTurnCosine && turn > maxTurnCosine))
             continue;
         const double rise = riseBeyond(mesh, one, two);
-        const bool isConvex = rise < -leastFall;
-        if (isConvex ? !sides.front : !(sides.back && rise > leastFall))
+        const bool isConvex = rise < -minFall;
+        if (isConvex ? !sides.front : !(sides.back && rise > minFall))
             continue;
         const double front = isConvex ? 1.0 : -1.0;
         const auto corner = static_cast<glm::length_t>(one.edge);

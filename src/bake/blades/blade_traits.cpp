@@ -300,8 +300,8 @@ GrownBlade BladeGrower::growBlade(const RootSample& root, const Surroundings& ar
     wide.moisture += 0.5f * (1.0f - around.exposure);
     const double lain = meadow.wideVariation * double(wide.lain);
     if (lain > 0.0)
-        front = turnedTowards(front, up, variation_.lainTowards(*choice.clump), 0.75 * lain);
-    stiffness *= 1.0 - 0.45 * lain;
+        front = turnedTowards(front, up, variation_.lainTowards(*choice.clump), 0.5 * lain);
+    stiffness *= 1.0 - 0.12 * lain;
 
     // Beside a path blades are trodden, but not at the foot of what stands there.
     const EdgeTraits& edges = meadow.edges;

@@ -37,7 +37,7 @@ constexpr glm::dvec2 lainRim{0.22, 0.6};
 // sides by a seventh of the distance is moist by about as much.
 constexpr double slopeDryness = 1.0;
 constexpr double hollowMoisture = 3.5;
-constexpr double mostHollow = 0.7;
+constexpr double maxHollow = 0.7;
 
 // Distance [m] at blade scale 1 over which a hollow is measured.
 constexpr double hollowRadius = 6.0;
@@ -155,7 +155,7 @@ double WideVariation::hollowAt(const Clumps::Clump& clump, glm::dvec3 up) const
             ++count;
         }
     }
-    return count > 0 ? std::clamp(hollowMoisture * sum / count, -mostHollow, mostHollow) : 0.0;
+    return count > 0 ? std::clamp(hollowMoisture * sum / count, -maxHollow, maxHollow) : 0.0;
 }
 
 WideVariation::Traits WideVariation::at(const Clumps::Clump* clump) const

@@ -16,8 +16,8 @@ constexpr double sameSide = 0.7;
 
 // How far a root may lie off the planes of a crease, as shares of the reach: beyond the other one,
 // which is the way round a step below, and off its own, as curved ground does.
-constexpr double mostBeyond = 0.1;
-constexpr double mostOff = 0.5;
+constexpr double maxBeyond = 0.1;
+constexpr double maxOff = 0.5;
 
 std::vector<DAabb> boxesOf(const std::vector<terrain::ConvexCrease>& creases)
 {
@@ -75,8 +75,8 @@ glm::dvec3 CreaseBlend::normalAt(const RootSample& root) const
         glm::dvec3 beyond(crease.normals[1]);
         if (glm::dot(here, own) < glm::dot(beyond, own))
             std::swap(here, beyond);
-        if (glm::dot(here, own) < sameSide || glm::dot(offset, beyond) > mostBeyond * reach_ ||
-            std::abs(glm::dot(offset, here)) > mostOff * reach_)
+        if (glm::dot(here, own) < sameSide || glm::dot(offset, beyond) > maxBeyond * reach_ ||
+            std::abs(glm::dot(offset, here)) > maxOff * reach_)
             continue;
         const double nearness = 1.0 - distance / reach_;
         const double weight = nearness * nearness;
