@@ -51,7 +51,9 @@ class RadianceTest(unittest.TestCase):
                             cls.folder / f"{name}.sward", "-q"], check=True, stdout=subprocess.DEVNULL)
         cls.settings("look", {"exposure": EXPOSURE, "clouds": 0.5})
         cls.settings("dim", {"exposure": 0.1, "clouds": 0.5})
-        cls.settings("white", {"sun": {"color": [0, 0, 0]}, "sky": [100, 100, 100], "ground": [0, 0, 0], "fog": 0, "clouds": 0})
+        # A sky that leans a little has no floor below the ground.
+        cls.settings("white", {"sun": {"color": [0, 0, 0]}, "sky": [100, 100, 100], "ground": [0, 0, 0], "fog": 0, "clouds": 0,
+                               "up": [0.05, 1, 0]})
         (cls.folder / "edge.json").write_text(json.dumps(EDGE), encoding="utf-8")
 
     @classmethod
