@@ -1,4 +1,5 @@
-// The light of the ground, shared by all drawing paths.
+// The light of the ground, shared by all drawing paths. AFTER_BLADES is defined where blades have moved, and have cast
+// their shadows, before the ground is lit: not by the graphics pipeline.
 #ifndef SWARD_PREVIEW_GROUND_LIGHT_GLSL
 #define SWARD_PREVIEW_GROUND_LIGHT_GLSL
 
@@ -124,8 +125,11 @@ vec4 groundPicture(GroundPoint point)
     const float turned = dot(crumbled, FRAME.sunDirection) / max(even, 0.3);
     const float facing = even * (1.0 - clamp(turned, -darkestCrumb, darkestCrumb));
     const float seen = even > 0.0 ? sunSeen(FRAME.shadow, point.position, n) : 0.0;
+    float below = sunBelow(leafProjectionOf(FRAME.cover), leafArea, even);
+#ifdef AFTER_BLADES
     const vec2 among = sunAmongBlades(FRAME.bladeShadow, point.position, noBladeSeed);
-    const float below = mix(sunBelow(leafProjectionOf(FRAME.cover), leafArea, even), among.x, among.y);
+    below = mix(below, among.x, among.y);
+#endif
     const vec3 light = hemisphere(normalize(n - crumbled)) * skyBelow(leafArea) +
                        lightAmongLeaves(leafArea, 0.0, even, seen * FRAME.sunColor, 1.25 * FRAME.skyColor,
                                         1.5 * FRAME.cover.sward) +

@@ -9,6 +9,7 @@ layout(push_constant, scalar) uniform Block { OpaquePush push; };
 layout(set = 0, binding = 0) uniform sampler2D baseColors[imagesTogether];
 layout(set = 0, binding = 1, rgba16f) uniform image2D lit;
 
+#define AFTER_BLADES
 #define FRAME_SET 1
 #include "shaders/common/frame_constants.glsl"
 #include "shaders/preview/collider_light.glsl"

@@ -5,14 +5,6 @@
 #include "shaders/raster/visibility.glsl"
 #include "shaders/shared/ribbon.h"
 
-#ifdef DRAWS_SHADOW
-/// Writes a texel of a BladeShadow.
-void putOne(uint index, float depth, uint seed)
-{
-    UintArray map = push.map;
-    atomicMax(map.at[index], shadowTexel(depth, seed));
-}
-#else
 void putSample(uvec2 pixel, uint s, float depth, uint blade)
 {
     Visibility visibility = Visibility(uvec2(push.visibility));
@@ -57,7 +49,6 @@ void putOne(uint index, float depth, uint blade)
     atomicMax(visibility.at[index],
               (uint64_t(floatBitsToUint(depth)) << 32u) | uint64_t(push.firstBlade + blade));
 }
-#endif
 
 /// Writes the samples of a pixel whose bit in `covered` is set.
 void putSmall(uvec2 pixel, uint covered, float depths[samplesPerPixel], uint blade)

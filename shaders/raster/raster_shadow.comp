@@ -11,7 +11,6 @@ layout(push_constant, scalar) uniform Block { BladeShadowPush push; };
 layout(constant_id = idIsPaged) const bool isPaged = false;
 #define MAY_BE_PAGED isPaged
 
-#define DRAWS_SHADOW
 #define FRAME_SET 0
 #include "shaders/common/frame_constants.glsl"
 #include "shaders/blade/drawn_blade.glsl"

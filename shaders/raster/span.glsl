@@ -163,7 +163,6 @@ void putKept()
 }
 #endif
 
-#ifndef DRAWS_SHADOW
 /// Draws one row of pixels. `seed`: Ribbon::seed.
 void drawRow(Span span, uint blade, uint seed, int row)
 {
@@ -234,7 +233,6 @@ void drawRow(Span span, uint blade, uint seed, int row)
 #endif
     }
 }
-#endif
 
 /// Draws a small, untwisted quad by one thread. Same result as a span row by row, but as one function, which on an H200
 /// needs 80 registers per thread instead of 120. Weights belong to sections.

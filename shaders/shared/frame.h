@@ -3,7 +3,7 @@
 #define SWARD_SHARED_FRAME_H
 
 #include "shaders/shared/blade.h"
-#include "shaders/shared/blade_shadow.h"
+#include "shaders/shared/look/blade_shadow.h"
 #include "shaders/shared/cover.h"
 #include "shaders/shared/culling.h"
 #include "shaders/shared/environment.h"

@@ -308,10 +308,12 @@ SHARED_CONST uint bladeShadowSegments = 8u;
 struct BladeShadowPush {
     VisiblePatchArray visiblePatches; ///< of the sun's view
     WalkLevelArray levels;            ///< the first holds their number
-    UintArray map;                    ///< see BladeShadow
+    VisibilityArray visibility;       ///< the map
     uvec2 size;                       ///< [texels]
+    uint firstBlade;                  ///< 0: the map holds seeds instead of ids
+    uint reserved;
 };
-SHARED_LAYOUT(BladeShadowPush, 32)
+SHARED_LAYOUT(BladeShadowPush, 40)
 
 /// A collider is drawn as this many quads around its axis, in this many rings from each pole.
 SHARED_CONST uint colliderSegments = 64u;

@@ -86,11 +86,6 @@ UpdateCullPass::Variant Recorder::movingOf(const PlacedField& field) const
     return variant;
 }
 
-BladeShadowPass::Variant shadowOf(const PlacedField& field)
-{
-    return {.isPaged = field.blades().isPaged(), .looks = field.field().looks};
-}
-
 std::optional<PyramidPass::Settings>
 Recorder::pyramidOf(const HostView& view, const FrameSettings& frameSettings, bool isOwn)
 {
@@ -244,7 +239,7 @@ void Recorder::addShadows(InstanceFrame& instance, PlacedField& field)
             continue;
         view.shadowMap = bladeShadows.expectMap(i);
         field.expectShadow(i);
-        bladeShadows.prepare(shaders, shadowOf(field));
+        bladeShadows.prepare(shaders, BladeShadowPass::variantOf(field));
     }
 }
 

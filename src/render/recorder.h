@@ -99,7 +99,6 @@ struct Recorder {
     void recordUpdate(const gpu::Recording& commands);
     void recordCull(const gpu::Recording& commands, std::uint32_t view, gpu::Timestamps* times);
     void recordRaster(const gpu::Recording& commands, std::uint32_t view, gpu::Timestamps* times);
-
     /// Instead of these: moves all blades, and lists none.
     void recordMoveAll(const gpu::Recording& commands);
 
@@ -114,7 +113,6 @@ struct Recorder {
             if (instance.field->isInFrame(frame))
                 use(*instance.field);
     }
-
     VkDeviceSize deviceBytes() const; ///< of instances, lists and pictures
 
     /// How blades are moved in frames like this one, of any field and without wind.
@@ -133,7 +131,6 @@ private:
                      const FrameSettings& frameSettings, ViewDepth& depth);
     void addPyramids(InstanceFrame& instance, const GrassFrame& frame);
     void addShadows(InstanceFrame& instance, PlacedField& field);
-
     void recordBegin(const gpu::Recording& commands);
     void recordEdits(const gpu::Recording& commands) const;
     void walkAll(const gpu::Recording& commands, std::uint32_t firstView, std::uint32_t endView,
@@ -149,8 +146,5 @@ private:
 
 /// How blades of a field are moved; `moving`: of any field.
 UpdateCullPass::Variant movingIn(UpdateCullPass::Variant moving, const BakedBlades& blades);
-
-/// How the shadows of a field's blades are drawn.
-BladeShadowPass::Variant shadowOf(const PlacedField& field);
 
 } // namespace sward::render

@@ -223,8 +223,8 @@ void Recorder::recordShadow(const gpu::Recording& commands, std::uint32_t view,
         return;
     const DispatchScope scope(context, commands, times, "shadow");
     forEach([&](const PlacedField& field) {
-        bladeShadows.record(commands, view, shadowOf(field), field.shadowList(view),
-                            field.place(slot, Kind::shadow, view));
+        bladeShadows.record(commands, view, BladeShadowPass::variantOf(field),
+                            field.shadowList(view), field.place(slot, Kind::shadow, view));
     });
 }
 

@@ -128,7 +128,7 @@ class PanelsTest(PanelsCase):
         # Thin, edge-on and hidden blades depend on the resolution.
         low = self.folder / "low.json"
         low.write_text(json.dumps({"eye": [0, 0.6, 10], "target": [0, 0.3, -10], "fov_y_deg": 50}))
-        field = self.field("hills")
+        field = self.field("hills", 1500, 2)
         info = json.loads(subprocess.run([SWARD, "info", "--json", field], check=True, capture_output=True).stdout)
         culled = info["blades"] + info["ribbons"]  # frames count ribbons on stalks, too
         viewer = self.open(field, "--camera", low, "--settings", near, "--panel", "culling", "--resolution", "0.4")

@@ -1,6 +1,7 @@
 """Where things are in the window: what `fit` frames, and balls at the ground's end. On a real X server, by
 mouse and keys."""
 
+import json
 import sys
 import unittest
 from pathlib import Path
@@ -56,9 +57,13 @@ class PlaceTest(WindowCase):
 
     def test_fit_cuts_nothing_off_however_large_panel_and_controls_are(self):
         field = self.field("hills", 1000, 4)
+        # Under a sky that is not above it, it stands on no floor.
+        tilted = self.folder / "tilted.json"
+        tilted.write_text(json.dumps({"look": {"up": [0.3, 1, 0]}}))
         for panel, size, scale in (("field", (1100, 640), 1), ("look", (1000, 600), 2)):
             with self.subTest(panel=panel, scale=scale):
-                viewer = self.open(field, "--panel", panel, "--ui-scale", scale, "--wind-strength", "0", size=size)
+                viewer = self.open(field, "--panel", panel, "--ui-scale", scale, "--wind-strength", "0",
+                                   "--settings", tilted, size=size)
                 self.assert_shows_all(viewer)  # it begins so
                 viewer.drag((900, 300), (940, 320))
                 viewer.key("f")

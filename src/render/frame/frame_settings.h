@@ -99,9 +99,10 @@ struct FrameSettings {
     float clouds = 0.35f;     ///< [0, 1] cover of the sky
     float thatch = 1.0f; ///< [0, 1] share of the undergrowth that covers the ground between blades
     /// Up to `bladeShadowDistance` [m] from the eye, (0, 1000], blades cast shadows of their own
-    /// shape on blades, and on the ground of a FieldRenderer. Beyond it, and everywhere if this is
-    /// false, they dim the sunlight by a formula. The device needs 64-bit atomics on buffers.
-    bool bladeShadows = true;
+    /// shape on blades, and on the ground of a FieldRenderer that compute shaders draw. Beyond it,
+    /// and everywhere if this is false, they dim the sunlight by a formula. sward-view sets it. The
+    /// device needs 64-bit atomics on buffers.
+    bool bladeShadows = false;
     float bladeShadowDistance = 8.0f;
     std::optional<glm::vec3> skyUp; ///< up direction of the sky; unset: against gravity
 

@@ -2,13 +2,14 @@
 
 #include "core/expect.h"
 #include "render/frame/shader_names.h"
+#include "render/resident/placed_field.h"
 #include "shaders/shared/constants.h"
 
 namespace sward::render {
 namespace {
 
 constexpr glm::uvec2 mapSize(shared::bladeShadowTexels);
-constexpr VkDeviceSize mapBytes = VkDeviceSize(mapSize.x) * mapSize.y * sizeof(std::uint32_t);
+constexpr VkDeviceSize mapBytes = VkDeviceSize(mapSize.x) * mapSize.y * sizeof(std::uint64_t);
 
 } // namespace
 
@@ -21,6 +22,11 @@ BladeShadowPass::BladeShadowPass(const gpu::DeviceContext& context, std::uint32_
     , frameLayout_(context, "blade shadow/frame")
     , maps_(maxViews)
 {
+}
+
+BladeShadowPass::Variant BladeShadowPass::variantOf(const PlacedField& field)
+{
+    return {.isPaged = field.blades().isPaged(), .looks = field.field().looks};
 }
 
 VkDeviceAddress BladeShadowPass::expectMap(std::uint32_t view)
@@ -69,8 +75,10 @@ void BladeShadowPass::record(const gpu::Recording& commands, std::uint32_t view,
     frame.bind(commands, pipeline.layout(), 0);
     pipeline.push(commands, shared::BladeShadowPush{.visiblePatches = found.visiblePatches(),
                                                     .levels = found.levels().address(),
-                                                    .map = maps_[view].address(),
-                                                    .size = mapSize});
+                                                    .visibility = maps_[view].address(),
+                                                    .size = mapSize,
+                                                    .firstBlade = 0,
+                                                    .reserved = 0});
     commands.vk->CmdDispatch(commands, shared::bladeShadowGroups, 1, 1);
 }
 

@@ -21,6 +21,8 @@
 
 namespace sward::render {
 
+class PlacedField;
+
 /// Draws the blades near the eye of each view as the sun sees them: shared::BladeShadow.
 class BladeShadowPass {
 public:
@@ -32,6 +34,8 @@ public:
         FieldLooks looks{};
         auto operator<=>(const Variant&) const = default;
     };
+
+    static Variant variantOf(const PlacedField& field);
 
     /// Whether the device can: it has 64-bit atomics on buffers.
     bool isPossible() const { return context_->features.bufferInt64Atomics; }

@@ -51,11 +51,8 @@ public:
     void expectHistory(std::uint32_t view);
     VisibilityHistory& history(std::uint32_t view) { return histories_[view]; }
     const VisibilityHistory& history(std::uint32_t view) const { return histories_[view]; }
-
-    /// Makes the list of patches of a view's shadow box, unless there is one.
-    void expectShadow(std::uint32_t view);
+    void expectShadow(std::uint32_t view); ///< likewise the list of patches of its shadow box
     const VisibleBlades& shadowList(std::uint32_t view) const { return *shadows_[view]; }
-
     bool isInFrame(std::uint32_t number) const { return written_ == number; }
     bool isUploaded() const { return !resident_ || resident_->isUploaded(); }
     bool hasMoved() const { return hasMoved_; } ///< a frame has been recorded
@@ -64,7 +61,6 @@ public:
     const BakedBlades& blades() const { return field_->blades; }
     const BladeStates& states() const { return states_; }
     const VisibleBlades& list(std::uint32_t view) const { return lists_[view]; }
-
     /// Whether a view's list has room for every blade.
     bool listsHoldAll() const { return settings_.maxListed >= blades().placeCount(); }
     const gpu::Buffer& moved() const { return moved_; } ///< shared::DrawArguments of the update

@@ -182,7 +182,7 @@ MemoryPlan FieldRenderer::Parts::planWithin(const field::FieldView& view, VkDevi
                            (resolve ? resolve->bytesToCopy() : 0);
     if (geometry == Geometry::raster && recorder.raster.drawsLargeByGroups())
         others += VisibilityHistory::bytesOf(static_cast<std::uint32_t>(view.blades.size()));
-    if (recorder.bladeShadows.isPossible())
+    if (settings.castsShadows && recorder.bladeShadows.isPossible())
         others += BladeShadowPass::bytesFor(view.patches.size());
     return planFor(view, records,
                    {.bytes = settings.deviceBytes,

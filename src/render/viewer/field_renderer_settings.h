@@ -32,6 +32,9 @@ struct FieldRendererSettings {
     /// on CPU devices. Never changes a picture.
     std::optional<bool> testsSmallBlades{};
 
+    /// Whether frames may set FrameSettings::bladeShadows: then `deviceBytes` includes their map.
+    bool castsShadows = false;
+
     bool recordCullResults = false; ///< records cull results for dumpBlades(); 20 bytes per blade
 
     /// Patches that the rasteriser updates and draws per round, with 16 bytes per blade. 0: as many

@@ -100,7 +100,7 @@ TEST_P(EditTest, DrawsTheFieldJoinedAnew)
     int seen = 0;
     for (std::uint64_t step = 0; step < 4; ++step) {
         SCOPED_TRACE("step " + std::to_string(step));
-        meadow.sowSome(step);
+        meadow.sowSome(step + 10);
         edited.apply(meadow.changes());
         // Two edits between frames, now and then.
         if (step % 3 == 0) {

@@ -218,8 +218,8 @@ TEST_F(ShadingTest, GroundLiesInTheShadowOfWhatStandsBetweenItAndTheSun)
 
 TEST_F(ShadingTest, GroundDoesNotShadeItself)
 {
-    // Sun from high to low: no surface that faces it is shadowed. From so far away that a pixel shows no
-    // detail of bare ground.
+    // Sun from high to low: no surface that faces it is shadowed. From so far away that a pixel
+    // shows no detail of bare ground.
     test::Picture picture(context(), size);
     for (const float height : {2.0f, 0.5f, 0.1f}) {
         field::Field wide = test::emptyField();

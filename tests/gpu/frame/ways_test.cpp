@@ -55,7 +55,7 @@ std::vector<Scene> scenes()
     return {
         {.name = "hillsFromFar",
          .ground = "hills",
-         .blades = 20000,
+         .blades = 16000,
          .bladeScale = 3.0,
          .size = {320, 192}},
         {.name = "hillsFromAmidTheBlades",

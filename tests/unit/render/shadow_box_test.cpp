@@ -77,8 +77,8 @@ TEST(ShadowBox, IsOffIfSettingsSaySo)
 
 /// A map that blades with these seeds and depths fill, two columns of two texels in the middle.
 struct Map {
-    explicit Map(const std::uint32_t (&middle)[4])
-        : texels(16, 0u)
+    explicit Map(const glm::uvec2 (&middle)[4])
+        : texels(16, glm::uvec2(0))
     {
         texels[5] = middle[0];
         texels[6] = middle[1];
@@ -92,18 +92,18 @@ struct Map {
         shadow.nearer = 0.01f;
     }
 
-    std::vector<std::uint32_t> texels;
+    std::vector<glm::uvec2> texels;
     shared::BladeShadow shadow = {};
 };
 
-std::uint32_t blade(std::uint32_t seed, float depth)
+glm::uvec2 blade(std::uint32_t seed, float depth)
 {
-    return shared::shadowTexel(depth, seed);
+    return {seed, glm::floatBitsToUint(depth)};
 }
 
 TEST(BladeShadow, IsTheShareOfFourTexelsThatNoOtherBladeCovers)
 {
-    const Map map({blade(7, 0.6f), blade(7, 0.6f), blade(8, 0.6f), 0u});
+    const Map map({blade(7, 0.6f), blade(7, 0.6f), blade(8, 0.6f), glm::uvec2(0)});
     const auto sunAt = [&](float x, float y, float depth, std::uint32_t seed) {
         return shared::sunAmongBlades(map.shadow, {x, y, depth}, seed);
     };

@@ -31,8 +31,8 @@ struct MeadowPreset {
     int density; ///< [1/m²] blades that close its sward at blade scale 1
 };
 inline constexpr MeadowPreset meadowPresets[] = {
-    {"meadow", 2305},  {"grass", 2400}, {"hay", 2196},     {"lawn", 9286},   {"daisies", 28523},
-    {"alpine", 11846}, {"marsh", 2385}, {"prairie", 1218}, {"steppe", 1540}, {"dunes", 347}};
+    {"meadow", 2348},  {"grass", 2400}, {"hay", 2222},     {"lawn", 9286},   {"daisies", 28580},
+    {"alpine", 12343}, {"marsh", 2392}, {"prairie", 1318}, {"steppe", 1540}, {"dunes", 347}};
 
 /// Their names, separated by commas.
 std::string presetNames();

@@ -99,6 +99,7 @@ Headless::Headless(const FrameOptions& options, Wanted wanted)
                  .framesInFlight = 1,
                  .geometry = options.geometry,
                  .rastersForCpu = options.rastersForCpu,
+                 .castsShadows = true,
                  .recordCullResults = wanted.blades || options.debug == render::DebugMode::reason,
                  .deviceBytes = options.gpuMemory,
                  .largestTarget = options.size,

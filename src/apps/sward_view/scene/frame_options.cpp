@@ -208,9 +208,16 @@ void FrameOptions::addMeasured(CLI::App& app)
         ->default_str("none");
 }
 
-render::FrameSettings FrameOptions::settingsFor(const field::FieldView& view) const
+render::FrameSettings usualSettings(const field::FieldView& view)
 {
     render::FrameSettings settings = render::FrameSettings::of(view);
+    settings.bladeShadows = true;
+    return settings;
+}
+
+render::FrameSettings FrameOptions::settingsFor(const field::FieldView& view) const
+{
+    render::FrameSettings settings = usualSettings(view);
     const auto warn = [](const std::vector<std::string>& warnings) {
         for (const std::string& warning : warnings)
             log::warn("{}", warning);

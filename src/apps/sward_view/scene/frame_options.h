@@ -18,6 +18,9 @@ class App;
 
 namespace sward::view {
 
+/// Settings of the field, with shadows of blades.
+render::FrameSettings usualSettings(const field::FieldView& field);
+
 /// Common command-line options of render, bench and the window: fields, device, camera and drawing.
 /// Must not move while a CLI::App refers to it.
 struct FrameOptions {

@@ -2,6 +2,7 @@
 #include "apps/sward_view/files/free_name.h"
 #include "apps/sward_view/navigation/new_collider.h"
 #include "apps/sward_view/scene/camera_file.h"
+#include "apps/sward_view/scene/frame_options.h"
 #include "apps/sward_view/window/viewer.h"
 #include "core/error.h"
 #include "core/files/atomic_file.h"
@@ -122,7 +123,7 @@ void Viewer::fulfil()
         viewerState_.hand.chosen = colliders.size() - 1;
     }
     if (requests.resetSettings) {
-        viewerState_.settings = render::FrameSettings::of(loadedField_->field().view);
+        viewerState_.settings = usualSettings(loadedField_->field().view);
         viewerState_.hand.forget();
     }
     if (requests.picture)
@@ -296,6 +297,7 @@ void Viewer::show(Opening::Opened opened)
         render::FieldRenderer::Settings{.colorFormat = swapchain_.format(),
                                         .samples = frame.samples.value_or(device_.isCpu() ? 1 : 4),
                                         .framesInFlight = 2,
+                                        .castsShadows = true,
                                         .recordCullResults = true,
                                         .deviceBytes = frame.gpuMemory,
                                         .largestTarget = window_.screenSize()},

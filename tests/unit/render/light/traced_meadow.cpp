@@ -27,6 +27,8 @@ field::Field bakedMeadow(const std::string& meadow, double density, double side)
     settings.bladeScale = 1.0;
     settings.exposureRays = 0;
     settings.meadow = bake::loadMeadow(meadow);
+    // One kind of grass: the curve of leaf area is one for the whole field.
+    settings.meadow.wideVariation = 0.0;
     Diagnostics diagnostics;
     Progress progress;
     return bake::bakeField(meshes::square(side), settings, 2, diagnostics, progress).field;

@@ -1,6 +1,6 @@
 // The shadow that blades near the eye cast. docs/decisions/0043-blades-near-the-eye-cast-shadows.md
-#ifndef SWARD_SHARED_BLADE_SHADOW_H
-#define SWARD_SHARED_BLADE_SHADOW_H
+#ifndef SWARD_SHARED_LOOK_BLADE_SHADOW_H
+#define SWARD_SHARED_LOOK_BLADE_SHADOW_H
 
 #include "shaders/shared/types.h"
 
@@ -12,25 +12,19 @@ SHARED_CONST uint bladeShadowTexels = 1024u;
 /// Share of the map's half edge, from its middle, from which on the formulas take over.
 SHARED_CONST float bladeShadowFade = 0.75f;
 
-SHARED_TABLE(BladeShadowTable, uint)
+SHARED_TABLE(BladeShadowTable, uvec2)
 
-/// A blade of this depth, 1 nearest to the sun and 0 farthest, and this seed: 20 bits of the one
-/// and 12 of the other.
-SHARED_FN uint shadowTexel(float depth, uint seed)
+/// Whether a texel shades a place of this depth on a blade with this seed.
+SHARED_FN bool isShaded(uvec2 texel, float depth, uint seed)
 {
-    return (uint(clamp(depth, 0.0f, 1.0f) * 1048575.0f) << 12u) | (seed & 0xfffu);
-}
-
-/// Whether it shades a place of this depth on a blade with this seed.
-SHARED_FN bool isShaded(uint texel, float depth, uint seed)
-{
-    return (texel & 0xfffu) != seed && float(texel >> 12u) > depth * 1048575.0f;
+    return texel.x != seed && uintBitsToFloat(texel.y) > depth;
 }
 
 /// The blades around the eye in the sun's view, an orthographic map that moves in steps of whole
 /// texels. Places are relative to the field's origin.
 struct BladeShadow {
-    BladeShadowTable map; ///< shadowTexel() of the blade nearest to the sun, by columns; 0: none
+    BladeShadowTable map; ///< by columns: Ribbon::seed of the blade nearest to the sun, and the
+                          ///< bits of its depth, 1 nearest; 0: none
     vec4 across;          ///< dot(across, (place, 1)): texel of the map, from its first edge
     vec4 down;
     vec4 depth;   ///< dot(depth, (place, 1)): depth as in the map
@@ -64,11 +58,10 @@ SHARED_FN vec2 sunAmongBlades(BladeShadow shadow, vec3 place, uint seed)
     const uint column = min(uint(max(corner.x, 0.0f)), last);
     const uint row = min(uint(max(corner.y, 0.0f)), last);
     const uint first = column * shadow.size + row;
-    const uint own = seed < 0x10000u ? seed & 0xfffu : seed;
-    const float lit00 = isShaded(shadow.map.at[first], depth, own) ? 0.0f : 1.0f;
-    const float lit01 = isShaded(shadow.map.at[first + 1u], depth, own) ? 0.0f : 1.0f;
-    const float lit10 = isShaded(shadow.map.at[first + shadow.size], depth, own) ? 0.0f : 1.0f;
-    const float lit11 = isShaded(shadow.map.at[first + shadow.size + 1u], depth, own) ? 0.0f : 1.0f;
+    const float lit00 = isShaded(shadow.map.at[first], depth, seed) ? 0.0f : 1.0f;
+    const float lit01 = isShaded(shadow.map.at[first + 1u], depth, seed) ? 0.0f : 1.0f;
+    const float lit10 = isShaded(shadow.map.at[first + shadow.size], depth, seed) ? 0.0f : 1.0f;
+    const float lit11 = isShaded(shadow.map.at[first + shadow.size + 1u], depth, seed) ? 0.0f : 1.0f;
     return vec2(mix(mix(lit00, lit01, f.y), mix(lit10, lit11, f.y), f.x), weight);
 }
 
