@@ -136,11 +136,15 @@ vec3 bladePicture(BladePoint point)
     const vec3 toEye = ray / max(distance, 1e-6);
     vec3 n = bladeNormal(point, toEye, distance);
     const uint finish = finishIn(point.finish);
-    vec3 albedo = mix(point.rootColor.rgb, point.tipColor.rgb, tipShareAt(along)) * toneAlong(finish, along, point.seed);
+    vec3 albedo = mix(point.rootColor.rgb, point.tipColor.rgb, tipShareAt(along));
+    // Debug colours are plain.
+    const bool isPlain = debugMode() != debugNothing;
+    if (!isPlain)
+        albedo *= toneAlong(finish, along, point.seed);
     // Veins, only where a blade is some pixels wide, as the eye sees its width.
     const float turned = dot(toEye, point.axis);
     const float wide = pixelsIn(point.finish) * sqrt(max(1.0 - turned * turned, 0.0));
-    if (wide > 4.0) {
+    if (!isPlain && wide > 4.0) {
         const Veins veins = veinsAt(finish, point.place, wide, point.seed);
         albedo *= veins.tone;
         n = normalize(n + veins.slope * point.axis);
@@ -185,7 +189,7 @@ vec3 bladePicture(BladePoint point)
         color += lampLight(point, n, toEye, albedo, leafArea);
 #endif
 
-    if (debugMode() != debugNothing)
+    if (isPlain)
         color = albedo * (0.25 + 0.75 * along) * (0.6 + 0.4 * max(scattering.facing, 0.0));
     else
         color = throughAir(color, -toEye, distance);
