@@ -152,7 +152,7 @@ SHARED_FN float swardShare(Cover cover, float leafArea)
 /// open light. Measured on the built-in meadow: an eye above sees deeper into it.
 SHARED_FN float swardBrightness(float cosine)
 {
-    return 0.6f - 0.1f * cosine;
+    return 0.62f - 0.1f * cosine;
 }
 
 /// Leaf area that shades a blade of a thinned meadow, from that of the blades. Eyes see deeper into

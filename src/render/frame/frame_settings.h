@@ -103,7 +103,7 @@ struct FrameSettings {
     /// and everywhere if this is false, they dim the sunlight by a formula. sward-view sets it. The
     /// device needs 64-bit atomics on buffers.
     bool bladeShadows = false;
-    float bladeShadowDistance = 8.0f;
+    float bladeShadowDistance = 8.0f; ///< [m]
     std::optional<glm::vec3> skyUp; ///< up direction of the sky; unset: against gravity
 
     /// Settings initialised from the defaults saved in the field.

@@ -62,7 +62,7 @@ class SwardTest(unittest.TestCase):
 
     def test_a_thinned_meadow_is_as_bright_from_afar(self):
         # With plants, a tenth of the blades is 5.4 % darker and as much greener: panicles are bright and red (docs/algorithms/shading.md).
-        for meadow, error in (("grass", 0.03), ("meadow", 0.06)):
+        for meadow, error in (("grass", 0.035), ("meadow", 0.06)):
             with self.subTest(meadow=meadow):
                 self.is_as_bright_from_afar(meadow, error)
 
@@ -111,12 +111,14 @@ class SwardTest(unittest.TestCase):
         box.write_text(BOX, encoding="utf-8")
         camera = {"eye": [3.2, 1.9, 0], "target": [1, 0.9, 0], "fov_y_deg": 30}
         (self.folder / "edge.json").write_text(json.dumps(camera), encoding="utf-8")
+        # By the formula of shade alone: shadows of blades near the eye brighten a gap.
+        (self.folder / "s.json").write_text('{"look": {"blade_shadows": false}}', encoding="utf-8")
 
         def slit(*options):
             """The light of the darkest rows near the edge, relative to the median row."""
             field, _ = self.bake(box, "--meadow", "grass", "--set", "species.*.height_m=[0.06,0.12]", *options)
             done = subprocess.run([VIEWER, "render", field, "-o", "p.png", "--force", "--size", "160x120", "--camera",
-                                   "edge.json"], cwd=self.folder, env=ENVIRONMENT, text=True, capture_output=True)
+                                   "edge.json", "--settings", "s.json"], cwd=self.folder, env=ENVIRONMENT, text=True, capture_output=True)
             self.assertEqual(done.returncode, 0, done.stderr)
             luminance = (picture_of(self.folder / "p.png") / 255.0) ** 2.2 @ (0.2126, 0.7152, 0.0722)
             rows = sorted(luminance.mean(axis=1).reshape(40, 3).mean(axis=1))
