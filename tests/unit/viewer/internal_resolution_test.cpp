@@ -82,7 +82,8 @@ TEST(InternalResolution, NeverDrawsLessThanItsLowest)
 
 TEST(ThinnedForScale, ThinsWithThePixelsUpToFourTimes)
 {
-    const render::FrameSettings all;
+    render::FrameSettings all;
+    all.bladeShadows = true;
     const float threshold = all.lodThreshold;
     EXPECT_FLOAT_EQ(thinnedForScale(all, 1.0).lodThreshold, threshold);
     EXPECT_FLOAT_EQ(thinnedForScale(all, 0.5).lodThreshold, 2.0f * threshold);

@@ -28,7 +28,7 @@ TEST(MeadowSpecies, EveryPresetHasSpeciesWithColours)
     MeadowRequests requests;
     MeadowEditor editor(requests);
     ASSERT_TRUE(editor.species.back().flower.has_value());
-    EXPECT_GT(editor.species.back().flower->z, 0.8f);
+    EXPECT_GT(editor.species.back().flower->z, 0.7f);
     EXPECT_FALSE(editor.species.front().flower.has_value());
 }
 
