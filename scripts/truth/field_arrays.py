@@ -128,7 +128,7 @@ def tone_along(finishes, t, dry):
     is_petal, is_grass = finishes == "petal", finishes == "grass"
     tone[is_petal] -= end_wave(min(t / 0.6, 1.0), 2.5) * np.array([0.12, 0.22, 0.42])
     tone[is_grass | (finishes == "stalk")] += end_wave(min(2.5 * t, 1.0), 4.0) * np.array([0.75, 0.3, 0.55])
-    tone[is_grass] += (dry * end_wave(min(2.2 - 2.2 * t, 1.0), 2.5))[is_grass, None] * np.array([0.4, -0.05, -0.2])
+    tone[is_grass] += (dry * end_wave(min(2.2 - 2.2 * t, 1.0), 2.5))[is_grass, None] * np.array([0.12, -0.2, -0.35])
     return tone
 
 

@@ -1,7 +1,8 @@
 #version 460
 #extension GL_GOOGLE_include_directive : require
 // Draws the blades near the eye into a BladeShadow, as the sun sees them. A work-group takes a part of a patch that the
-// walk of the sun's view has found; a thread poses a blade, then draws segments. They have the widths that the eye's level of detail gives them.
+// walk of the sun's view has found; a thread poses a blade, then draws segments. Blades have the widths that the eye's
+// level of detail gives them.
 #include "shaders/shared/constants.h"
 #include "shaders/shared/passes.h"
 

@@ -152,14 +152,14 @@ SHARED_FN float swardShare(Cover cover, float leafArea)
 /// open light. Measured on the built-in meadow: an eye above sees deeper into it.
 SHARED_FN float swardBrightness(float cosine)
 {
-    return 0.62f - 0.1f * cosine;
+    return 0.6f - 0.1f * cosine;
 }
 
 /// Leaf area that shades a blade of a thinned meadow, from that of the blades. Eyes see deeper into
 /// fewer blades, where less light is left. Fitted with a tenth of the leaf area.
 SHARED_FN float leavesAround(Cover cover, float leafArea)
 {
-    return leafArea * max(pow(cover.thinned, -0.2f), 0.6f);
+    return leafArea * max(pow(cover.thinned, -0.22f), 0.6f);
 }
 
 /// The share of a blade's height, from the tip down, that contains this share of its leaf area:

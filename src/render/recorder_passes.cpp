@@ -116,7 +116,6 @@ void Recorder::recordCull(const gpu::Recording& commands, std::uint32_t view,
     if (listsInRounds && !extras.drawsAll)
         return;
     recordLists(commands, view, 0, false, times);
-    gpu::computeToCompute(commands);
     recordShadow(commands, view, times);
     gpu::memoryBarrier(commands, gpu::computeAccess, gpu::anyAccess);
     recordCounts(commands, view);
@@ -221,6 +220,7 @@ void Recorder::recordShadow(const gpu::Recording& commands, std::uint32_t view,
 {
     if (!drawings[view].hasShadows)
         return;
+    gpu::computeToCompute(commands);
     const DispatchScope scope(context, commands, times, "shadow");
     forEach([&](const PlacedField& field) {
         bladeShadows.record(commands, view, BladeShadowPass::variantOf(field),
@@ -248,7 +248,8 @@ void Recorder::recordRaster(const gpu::Recording& commands, std::uint32_t view,
         rounds.list = std::ref(list); // a reference allocates nothing while recording
     }
     raster.record(commands, slot, view, instances, rounds, times);
-    if (drawn.layer != nullptr && !extras.drawsAll) {
+    // Of a host's view they are drawn by recordCull(): its list is whole then.
+    if (drawn.layer != nullptr && drawn.hasShadows) {
         recordShadow(commands, view, times);
         gpu::memoryBarrier(commands, gpu::computeAccess, gpu::anyAccess);
     }

@@ -56,7 +56,7 @@ SHARED_FN vec3 toneAlong(uint finish, float along, uint seed)
     if (finish == finishStalk)
         return tone;
     const float dry = smoothstep(0.3f, 1.0f, finishDice(seed));
-    return tone + (dry * endWave(min(2.2f - 2.2f * along, 1.0f), 2.5f)) * vec3(0.4f, -0.05f, -0.2f);
+    return tone + (dry * endWave(min(2.2f - 2.2f * along, 1.0f), 2.5f)) * vec3(0.12f, -0.2f, -0.35f);
 }
 
 /// A blade across, near the eye.

@@ -162,6 +162,7 @@ struct Values {
     shared::OpaqueWork opaqueWork;
     shared::OpaquePush opaquePush;
     shared::HostLight hostLight;
+    shared::BladeShadowPush bladeShadowPush;
 };
 
 std::size_t fillValues(Values& v)
@@ -241,6 +242,8 @@ std::size_t fillValues(Values& v)
     shared::HostLight& light = v.hostLight;
     n.fillAll(light.ambient, light.above, light.cascades, light.lamps, light.cascadeCount,
               light.lampCount, light.hasAmbient, light.nearer, light.lift);
+    shared::BladeShadowPush& b = v.bladeShadowPush;
+    n.fillAll(b.visiblePatches, b.levels, b.visibility, b.size, b.firstBlade, b.reserved);
     return n.count();
 }
 
@@ -265,7 +268,7 @@ TEST_F(LayoutTest, EverySharedStructMeansTheSameToBothLanguages)
     const std::size_t words = fillValues(values);
 
     // The frame is reached as element 0 everywhere, so here, too.
-    std::array<gpu::Buffer, 34> buffers = {secondElement(context(), values.blade),
+    std::array<gpu::Buffer, 35> buffers = {secondElement(context(), values.blade),
                                            secondElement(context(), values.packedBlade),
                                            secondElement(context(), values.cell),
                                            secondElement(context(), values.frame),
@@ -298,7 +301,8 @@ TEST_F(LayoutTest, EverySharedStructMeansTheSameToBothLanguages)
                                            secondElement(context(), values.largeTriangle),
                                            secondElement(context(), values.opaqueWork),
                                            secondElement(context(), values.opaquePush),
-                                           secondElement(context(), values.hostLight)};
+                                           secondElement(context(), values.hostLight),
+                                           secondElement(context(), values.bladeShadowPush)};
     constexpr std::size_t frame = 3;
     std::memcpy(buffers[frame].mapped().data(), &values.frame, sizeof values.frame);
 

@@ -21,6 +21,7 @@ glm::dvec3 unit(std::uint64_t i, std::uint32_t dimension)
 FrameSettings with(glm::dvec3 sun)
 {
     FrameSettings settings;
+    settings.bladeShadows = true;
     settings.sunDirection = glm::vec3(sun);
     return settings;
 }
@@ -67,10 +68,11 @@ TEST(ShadowBox, MovesByWholeTexels)
 
 TEST(ShadowBox, IsOffIfSettingsSaySo)
 {
-    FrameSettings settings;
+    FrameSettings settings = with({0.0, 1.0, 0.0});
+    EXPECT_TRUE(shadowBoxOf({}, {0.0, 0.0, 1.0}, settings));
     settings.bladeShadows = false;
     EXPECT_FALSE(shadowBoxOf({}, {0.0, 0.0, 1.0}, settings));
-    settings = {};
+    settings.bladeShadows = true;
     settings.debug = DebugMode::patches;
     EXPECT_FALSE(shadowBoxOf({}, {0.0, 0.0, 1.0}, settings));
 }

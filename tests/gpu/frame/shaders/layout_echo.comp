@@ -14,6 +14,7 @@ SHARED_BUFFER(WalkPushArray, WalkPush, readonly)
 SHARED_BUFFER(RasterPushArray, RasterPush, readonly)
 SHARED_BUFFER(PyramidPushArray, PyramidPush, readonly)
 SHARED_BUFFER(ViewPushArray, ViewPush, readonly)
+SHARED_BUFFER(BladeShadowPushArray, BladeShadowPush, readonly)
 SHARED_BUFFER(CopyPushArray, CopyPush, readonly)
 SHARED_BUFFER(BladePushArray, BladePush, readonly)
 SHARED_BUFFER(HostViewPushArray, HostViewPush, readonly)
@@ -57,6 +58,7 @@ struct Sources {
     OpaqueWorkArray opaqueWork;
     OpaquePushArray opaquePush;
     HostLightArray hostLight;
+    BladeShadowPushArray bladeShadowPush;
 };
 SHARED_BUFFER(SourcesArray, Sources, readonly)
 
@@ -461,4 +463,11 @@ void main()
     put(sources.at[0].groundCullPush.at[1].firstCluster);
     putOpaque();
     putHostLight();
+
+    put(uvec2(sources.at[0].bladeShadowPush.at[1].visiblePatches));
+    put(uvec2(sources.at[0].bladeShadowPush.at[1].levels));
+    put(uvec2(sources.at[0].bladeShadowPush.at[1].visibility));
+    put(sources.at[0].bladeShadowPush.at[1].size);
+    put(sources.at[0].bladeShadowPush.at[1].firstBlade);
+    put(sources.at[0].bladeShadowPush.at[1].reserved);
 }
