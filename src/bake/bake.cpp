@@ -3,6 +3,8 @@
 #include "bake/patches/patch_tree.h"
 #include "bake/plan/plan.h"
 #include "bake/sample/surface_sampler.h"
+#include "bake/seeds/seed_bake.h"
+#include "bake/seeds/seeded_field.h"
 #include "bake/settings/threads.h"
 #include "bake/whole/all_cells.h"
 #include "bake/whole/field_header.h"
@@ -90,6 +92,8 @@ Report bakeWhole(const terrain::GroundMesh& ground, const BakeSettings& settings
 BakeResult bakeField(const terrain::GroundMesh& ground, const BakeSettings& settings, int threads,
                      Diagnostics& diagnostics, Progress& progress)
 {
+    if (writesSeeds(ground, settings))
+        return bakeSeededField(ground, settings, threads, diagnostics, progress);
     BakeResult result;
     std::vector<CellTree> cells;
     CellTakers takers;

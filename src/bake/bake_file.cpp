@@ -1,6 +1,8 @@
 #include "bake/bake_file.h"
 
 #include "bake/patches/patch_tree.h"
+#include "bake/seeds/seed_bake.h"
+#include "bake/seeds/seeded_field.h"
 #include "bake/tiles/stored_cells.h"
 #include "bake/whole/whole_bake.h"
 #include "core/files/piece_file.h"
@@ -68,12 +70,27 @@ private:
     std::future<void> writing_; // ends before the rest goes
 };
 
+void writeInto(const field::Field& field, Report& report, const std::filesystem::path& path,
+               bool overwrite, Progress& progress)
+{
+    progress.begin("write", 1);
+    Stopwatch watch;
+    report.output.path = path.string();
+    report.output.bytes = field::writeField(field, path, overwrite);
+    report.timing.write = watch.lap();
+}
+
 // Bakes `ground`, which is also `consumed` unless that is null.
 Report bakeInto(const terrain::GroundMesh& ground, terrain::GroundMesh* consumed,
                 const BakeSettings& settings, int threads, const std::filesystem::path& path,
                 bool overwrite, Diagnostics& diagnostics, Progress& progress,
                 const TileLimits& limits)
 {
+    if (writesSeeds(ground, settings)) {
+        BakeResult result = bakeSeededField(ground, settings, threads, diagnostics, progress);
+        writeInto(result.field, result.report, path, overwrite, progress);
+        return std::move(result.report);
+    }
     std::optional<Spill> spill;
     std::vector<CellTree> cells;
     field::Field field;

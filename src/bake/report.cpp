@@ -68,6 +68,10 @@ std::string toJson(const Report& report)
                         {"bytes", report.output.bytes},
                         {"patches", report.output.patches},
                         {"bytes_per_blade", perBlade}};
+    if (report.seeds.cells > 0)
+        object["seeds"] = {{"cells", report.seeds.cells},
+                           {"bytes", report.seeds.bytes},
+                           {"blades", report.seeds.blades}};
     object["warnings"] = report.warnings;
     return jsonText(object, 2) + "\n";
 }

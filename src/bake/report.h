@@ -101,6 +101,12 @@ struct Report {
         std::uint64_t bytes = 0;       ///< of the file
         std::uint64_t patches = 0;     ///< of its tree
     } output;                          ///< the written file
+    /// Seeds of the field.
+    struct Seeds {
+        std::uint64_t cells = 0; ///< of 32 m; 0: none
+        std::uint64_t bytes = 0; ///< in the file
+        double blades = 0.0;     ///< that would grow before any filter, ribbons included
+    } seeds;                     ///< what bears instead of blades
     std::vector<std::string> warnings; ///< readable text, in order of occurrence
 };
 

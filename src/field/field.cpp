@@ -1,6 +1,7 @@
 #include "field/field.h"
 
 #include "core/random.h"
+#include "field/seeds/seeds.h"
 
 namespace sward::field {
 
@@ -43,6 +44,8 @@ FieldView viewOf(const Field& field)
     view.species = field.species;
     view.ground = &field.ground;
     view.thinned = field.thinned;
+    if (field.seeds)
+        view.seeds = &field.seeds->view;
     view.defaults = &field.defaults;
     view.provenance = &field.provenance;
     view.copyright = &field.copyright;

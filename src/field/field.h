@@ -15,12 +15,16 @@
 #include <array>
 #include <cstdint>
 #include <filesystem>
+#include <memory>
 #include <span>
 #include <string>
 #include <string_view>
 #include <vector>
 
 namespace sward::field {
+
+struct SharedSeeds;
+struct SeedsView;
 
 /// Origin of a blade: the triangle of the input and the candidate number on it.
 struct BladeKey {
@@ -52,6 +56,7 @@ struct Field {
     std::vector<Species> species;                    ///< 1 to 8
     DisplayGround ground;                            ///< drawn below the blades
     double thinned = 1.0; ///< [1, 1e9] leaf area of the meadow relative to that of the blades
+    std::shared_ptr<const SharedSeeds> seeds; ///< what bears; null: the blades are all there are
     Defaults defaults;    ///< initial settings
     std::string provenance = "{}"; ///< JSON: tool version, input hash, settings, seed
     std::string copyright;         ///< shown to users
@@ -68,6 +73,7 @@ struct FieldView {
     std::span<const Species> species;            ///< 1 to 8
     const DisplayGround* ground = nullptr;       ///< never null
     double thinned = 1.0;                        ///< as Field::thinned
+    const SeedsView* seeds = nullptr;            ///< as Field::seeds
     const Defaults* defaults = nullptr;          ///< never null
     const std::string* provenance = nullptr;     ///< never null
     const std::string* copyright = nullptr;      ///< never null

@@ -8,6 +8,7 @@
 #include "field/file/format.h"
 #include "field/file/images.h"
 #include "field/file/texts.h"
+#include "field/seeds/seeds.h"
 #include "field/verify.h"
 
 #include <nlohmann/json.hpp>
@@ -28,6 +29,8 @@ struct MappedField::Contents {
     UninitializedVector<BladeKey> keys;
     std::vector<Species> species;
     DisplayGround ground;
+    std::optional<SeedMeadow> meadow;
+    SeedsView seeds;
     Defaults defaults;
     std::string provenance = "{}";
     std::string copyright;
@@ -212,7 +215,8 @@ void Reader::checkEntry(const format::ChunkEntry& entry, std::uint64_t& at) cons
         format::patches,      format::blades,          format::keys,
         format::species,      format::groundVertices,  format::groundIndices,
         format::groundRanges, format::groundMaterials, format::groundImages,
-        format::defaults,     format::cover,           format::provenance};
+        format::defaults,     format::cover,           format::seeds,
+        format::seedCells,    format::seedData,        format::provenance};
     if ((entry.flags & format::critical) != 0 &&
         std::find(std::begin(known), std::end(known), entry.id) == std::end(known))
         fail(ErrorKind::unsupported, "{}: needs chunk {}, which this version does not know", place_,
@@ -261,6 +265,13 @@ void MappedField::Contents::read(const std::string& name)
     defaults = parseDefaults(reader.text(format::defaults, true),
                              fmt::format("{}: defaults", place), copyright);
     view.thinned = parseCover(reader.text(format::cover, false), fmt::format("{}: cover", place));
+    if (const std::string text = reader.text(format::seeds, false); !text.empty()) {
+        meadow = parseSeedMeadow(text, fmt::format("{}: seeds", place));
+        seeds.meadow = &*meadow;
+        seeds.cells = reader.mapped<SeedEntry>(format::seedCells, true);
+        seeds.data = reader.mapped<std::byte>(format::seedData, true);
+        view.seeds = &seeds;
+    }
     provenance = reader.text(format::provenance, false);
     if (provenance.empty())
         provenance = "{}";

@@ -1,6 +1,7 @@
 #include "field/verify.h"
 
 #include "core/error.h"
+#include "field/seeds/seeds.h"
 
 #include <glm/geometric.hpp>
 
@@ -194,6 +195,8 @@ void verifyWithoutBlades(const FieldView& field, std::uint64_t blades, const std
         fail(ErrorKind::input, "{}: a meadow of {:.6g} times the leaf area, outside 1 to {}", place,
              field.thinned, maxThinned);
     verifyTree(field.patches, blades, place);
+    if (field.seeds != nullptr)
+        verifySeeds(*field.seeds, field.species.size(), place);
     verifyGround(*field.ground, place);
 }
 

@@ -7,6 +7,7 @@
 #include "field/file/format.h"
 #include "field/file/images.h"
 #include "field/file/texts.h"
+#include "field/seeds/seeds.h"
 #include "field/verify.h"
 
 #include <xxhash.h>
@@ -60,7 +61,9 @@ std::uint16_t minorVersionOf(const Field& field)
 {
     const bool hasOrgans = std::any_of(field.species.begin(), field.species.end(),
                                        [](const Species& one) { return !one.organs.empty(); });
-    return hasOrgans ? format::minorVersion : field.thinned == 1.0 ? 0 : 1;
+    if (field.seeds)
+        return 3;
+    return hasOrgans ? 2 : field.thinned == 1.0 ? 0 : 1;
 }
 
 template <typename T>
@@ -76,6 +79,7 @@ public:
         : pieces_(pieces)
         , species_(speciesText(field.species))
         , cover_(coverText(field.thinned))
+        , seeds_(field.seeds ? seedMeadowText(*field.seeds->view.meadow) : std::string())
         , defaults_(defaultsText(field.defaults, field.copyright))
         , images_(imagesBytes(field.ground.images))
     {
@@ -92,6 +96,11 @@ public:
         add(format::defaults, std::span(std::as_const(defaults_)), format::critical);
         if (!cover_.empty())
             add(format::cover, std::span(std::as_const(cover_)), 0);
+        if (field.seeds) {
+            add(format::seeds, std::span(std::as_const(seeds_)), 0);
+            add(format::seedCells, field.seeds->view.cells, 0);
+            add(format::seedData, field.seeds->view.data, 0);
+        }
         add(format::provenance, std::span(field.provenance), 0);
         header_.magic = format::magic;
         header_.majorVersion = format::majorVersion;
@@ -109,6 +118,8 @@ public:
         std::string copyright;
         parseSpecies(species_, place + ": species");
         parseDefaults(defaults_, place + ": defaults", copyright);
+        if (!seeds_.empty())
+            parseSeedMeadow(seeds_, place + ": seeds");
     }
 
     // Puts every byte of the file in its place, several threads at once. `check` sees all blades.
@@ -232,6 +243,7 @@ private:
     const BladePieces& pieces_;
     std::string species_;
     std::string cover_;
+    std::string seeds_;
     std::string defaults_;
     std::vector<std::byte> images_;
     std::vector<Chunk> chunks_;

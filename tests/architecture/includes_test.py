@@ -97,12 +97,12 @@ ONLY_IN = {
 # that holds them all.
 INSIDE = {
     "core": "math files json",
-    "shared": "look",
-    "field": "file measure",
+    "shared": "look sow",
+    "field": "file seeds measure",
     "interchange": "usda",
     "gpu": "context recording memory pipeline device presentation",
     "render": "frame field edits streaming host resident cull resolve raster tessellation preview viewer",
-    "bake": "ground mask settings paint filter sample poisson patches blades plan tiles whole session",
+    "bake": "ground mask settings paint filter sample poisson patches blades plan tiles whole seeds session",
     "shaders": "common blade cull raster resolve tessellation preview bench",
     "terrain": "topology image files heightmap gltf mesh_files procedural query loading",
     "terrain/gltf": "file codecs",

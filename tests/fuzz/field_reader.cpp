@@ -5,6 +5,7 @@
 #include "field/file/format.h"
 #include "field/inspect.h"
 #include "field/read.h"
+#include "field/seeds/seeds.h"
 #include "fuzz/memory_file.h"
 
 #include <xxhash.h>
@@ -50,6 +51,9 @@ void fieldReader(Bytes bytes)
     try {
         const field::MappedField field = field::readField(memoryFile().hold(mended, ".sward"));
         field::summarise(field.view());
+        if (const field::SeedsView* const seeds = field.view().seeds)
+            for (std::size_t i = 0; i < seeds->cells.size(); ++i)
+                field::readSeedCell(*seeds, i, "fuzz");
     } catch (const Error&) {
     }
 }

@@ -86,6 +86,9 @@ public:
         std::optional<field::FieldView> view;
         if (!field_.empty())
             view = baked.emplace(field::readField(field_)).view();
+        if (view && view->seeds != nullptr)
+            fail(ErrorKind::unsupported,
+                 "{}: holds seeds, which edits do not change; bake it without --seeds", field_);
         if (asBaked_)
             requireNoneOf(settingsInFields);
         BakeRequest request =

@@ -33,6 +33,7 @@ private:
 };
 
 std::unique_ptr<Subcommand> addBake(CLI::App& program);
+std::unique_ptr<Subcommand> addGrow(CLI::App& program);
 std::unique_ptr<Subcommand> addInfo(CLI::App& program);
 std::unique_ptr<Subcommand> addValidate(CLI::App& program);
 std::unique_ptr<Subcommand> addCompare(CLI::App& program);

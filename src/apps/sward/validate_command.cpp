@@ -3,6 +3,7 @@
 #include "apps/common/terminal/log_switches.h"
 #include "apps/sward/subcommand.h"
 #include "field/read.h"
+#include "field/seeds/seeds.h"
 
 #include <CLI/CLI.hpp>
 #include <fmt/core.h>
@@ -23,9 +24,12 @@ public:
     int run() const override
     {
         log_.apply();
-        // Reading validates: it throws at the first error.
+        // Reading validates, but for the insides of cells of seeds: it throws at the first error.
         requireField(file_);
         const field::MappedField field = field::readField(file_);
+        if (const field::SeedsView* const seeds = field.view().seeds)
+            for (std::size_t i = 0; i < seeds->cells.size(); ++i)
+                field::readSeedCell(*seeds, i, file_);
         writeResult(fmt::format("{}: valid, {} blades in {} patches\n", file_,
                                 field::rootedBlades(field.view()), field.view().patches.size()));
         return 0;

@@ -121,26 +121,6 @@ constexpr glm::dvec2 litterStiffness{0.12, 0.38};
 
 const std::vector<terrain::ConvexCrease> noCreases;
 
-// Height [m] of the higher blades at blade scale 1, by the species' shares, without the stalks of
-// plants where there are others.
-double swardHeight(const Meadow& meadow)
-{
-    const SpeciesMix mix(meadow);
-    const SpeciesShares& shares = mix.evenShares();
-    for (const bool withPlants : {false, true}) {
-        double sum = 0.0;
-        double weight = 0.0;
-        for (std::size_t slot = 0; slot < meadow.species.size(); ++slot)
-            if (withPlants || meadow.species[slot].organs.empty()) {
-                sum += shares.share[slot] * meadow.species[slot].height.y;
-                weight += shares.share[slot];
-            }
-        if (weight > 0.0)
-            return sum / weight;
-    }
-    return 0.0;
-}
-
 // Seed of the clumps of one species' tufts, independent of other species.
 std::uint64_t tuftSeed(std::uint64_t seed, std::size_t slot)
 {
@@ -166,7 +146,7 @@ BladeGrower::BladeGrower(const terrain::GroundMesh& ground, const BakeSettings& 
                      (settings.exposureRays > 0 || settings.clearance > 0.0))
     , paths_(ground, settings, filter, features, whole.scale)
     , creases_(features != nullptr ? features->creases : noCreases,
-               whole.scale * swardHeight(settings.meadow), settings.meadow.edges.creaseBlend)
+               creaseReach(settings.meadow, whole.scale), settings.meadow.edges.creaseBlend)
     , clumps_(ground, clumpSpacing(settings.meadow.clumpSize * whole.scale, whole.area),
               settings.seed)
     , variation_(ground, settings, whole.scale, clumps_, query)

@@ -59,6 +59,11 @@ glm::dvec3 Clumps::Clump::direction(const terrain::GroundMesh& ground) const
     return turn.cos * tangent + turn.sin * glm::cross(normal, tangent);
 }
 
+std::uint64_t clumpKeyOf(std::uint64_t seed)
+{
+    return hashBits(seed, clumpSalt);
+}
+
 double clumpSpacing(double size, double area)
 {
     return size <= 0.0 ? 0.0 : std::max(size, std::sqrt(area / maxClumps));
@@ -70,7 +75,7 @@ Clumps::Clumps(const terrain::GroundMesh& ground, double spacing, std::uint64_t 
         return;
     spacing_ = spacing;
     reach_ = reachShare * spacing;
-    scatter(ground, spacing, hashBits(seed, clumpSalt));
+    scatter(ground, spacing, clumpKeyOf(seed));
     sortIntoBuckets();
 }
 

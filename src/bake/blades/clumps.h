@@ -68,4 +68,8 @@ private:
 /// `size` if there would be more than two million clumps. Compute it once for the whole ground.
 double clumpSpacing(double size, double area);
 
+/// Key of the centres' random numbers. The centre `i` of a triangle has the key
+/// hashBits(clumpKeyOf(seed), triangle << 32 | i), with the triangle's number in the input.
+std::uint64_t clumpKeyOf(std::uint64_t seed);
+
 } // namespace sward::bake

@@ -4,7 +4,7 @@
 #include "bake/filter/up_vector.h"
 #include "core/math/exact_math.h"
 #include "core/random.h"
-#include "shaders/shared/look/blade_colors.h"
+#include "field/seeds/clump_tones.h"
 #include "shaders/shared/octahedral.h"
 
 #include <glm/common.hpp>
@@ -14,7 +14,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numeric>
 
 namespace sward::bake {
 namespace {
@@ -68,6 +67,47 @@ std::uint64_t patchSeed(std::uint64_t seed, std::uint64_t number)
     return hashBits(seed ^ patchSalt, number);
 }
 
+// Moisture of a hollow, from the height of the ground around it: the mean of opposite places, since
+// a slope is no hollow.
+double hollowAt(const terrain::SurfaceQuery& query, glm::dvec3 place, glm::dvec3 up, double radius)
+{
+    const glm::dvec3 along(shared::tangentOf(glm::vec3(up)));
+    const glm::dvec3 across = glm::cross(up, along);
+    double sum = 0.0;
+    int count = 0;
+    for (const glm::dvec3& aside : {along, across}) {
+        double heights = 0.0;
+        int found = 0;
+        for (const double sign : {-1.0, 1.0}) {
+            const glm::dvec3 above = place + radius * (sign * aside + up);
+            const auto hit = query.cast(above, -up, 2.0 * radius, 0.0);
+            heights += hit.isHit() ? radius - hit.distance : 0.0;
+            found += hit.isHit() ? 1 : 0;
+        }
+        if (found == 2) {
+            sum += 0.5 * heights / radius;
+            ++count;
+        }
+    }
+    return count > 0 ? std::clamp(hollowMoisture * sum / count, -maxHollow, maxHollow) : 0.0;
+}
+
+// What the ground's form adds to and takes from the moisture at a place.
+struct GroundForm {
+    GroundForm(const terrain::GroundMesh& ground, const BakeSettings& settings, double scale,
+               const terrain::SurfaceQuery* query, std::uint32_t triangle, glm::dvec3 place)
+    {
+        const glm::dvec3 up = settings.groundUp.at(ground.origin + place);
+        const double upright = glm::dot(ground.faceNormal(triangle), up);
+        dryness = slopeDryness * (1.0 - upright * upright);
+        if (query != nullptr && settings.exposureRays > 0)
+            hollow = hollowAt(*query, place, up, hollowRadius * scale);
+    }
+
+    double dryness = 0.0;
+    double hollow = 0.0;
+};
+
 glm::dvec3 windOf(std::uint64_t seed)
 {
     const SinCos turn = exactSinCos(exactTwoPi * uniform(patchSeed(seed, 3), 0, 0));
@@ -80,22 +120,14 @@ WideVariation::WideVariation(const terrain::GroundMesh& ground, const BakeSettin
                              double scale, const Clumps& clumps, const terrain::SurfaceQuery* query)
     : ground_(ground)
     , settings_(settings)
-    , scale_(scale)
     , clumps_(clumps)
-    , query_(query)
     , amount_(settings.meadow.wideVariation)
     , wind_(windOf(settings.seed))
 {
     if (amount_ <= 0.0 || clumps.size() == 0)
         return;
-    byTone_.resize(shared::driedClump);
-    std::iota(byTone_.begin(), byTone_.end(), std::uint8_t(0));
-    std::stable_sort(byTone_.begin(), byTone_.end(), [](std::uint8_t a, std::uint8_t b) {
-        return shared::clumpTone(a) < shared::clumpTone(b);
-    });
-    placeOf_.resize(byTone_.size());
-    for (std::size_t place = 0; place < byTone_.size(); ++place)
-        placeOf_[byTone_[place]] = static_cast<std::uint8_t>(place);
+    byTone_ = field::clumpsByTone();
+    placeOf_ = field::placesByTone();
 
     traits_.resize(clumps.size());
     constexpr std::size_t block = PlaceBlock::size;
@@ -117,10 +149,9 @@ WideVariation::WideVariation(const terrain::GroundMesh& ground, const BakeSettin
         const BlockOfFloats lain = wavesAt(places, lainWaves, 2);
         for (std::size_t i = 0; i < count; ++i) {
             const Clumps::Clump& clump = clumps[first + i];
-            const glm::dvec3 up = settings.groundUp.at(ground.origin + glm::dvec3(clump.centre));
-            const double upright = glm::dot(ground.faceNormal(clump.triangle), up);
-            const double moisture = moistureHeight * double(moist[i]) -
-                                    slopeDryness * (1.0 - upright * upright) + hollowAt(clump, up);
+            const GroundForm form(ground, settings, scale, query, clump.triangle,
+                                  glm::dvec3(clump.centre));
+            const double moisture = moistureHeight * double(moist[i]) - form.dryness + form.hollow;
             const double low = riseOf(grazedRim, double(grazed[i]));
             traits_[first + i] = {
                 static_cast<float>(std::clamp(moisture, -1.0, 1.0)),
@@ -130,32 +161,13 @@ WideVariation::WideVariation(const terrain::GroundMesh& ground, const BakeSettin
     });
 }
 
-double WideVariation::hollowAt(const Clumps::Clump& clump, glm::dvec3 up) const
+double WideVariation::moistureOfGround(const terrain::GroundMesh& ground,
+                                       const BakeSettings& settings, double scale,
+                                       const terrain::SurfaceQuery* query, std::uint32_t triangle,
+                                       glm::dvec3 place)
 {
-    if (query_ == nullptr || settings_.exposureRays == 0)
-        return 0.0;
-    // Height of the ground around, from the mean of opposite places: a slope is no hollow.
-    const double radius = hollowRadius * scale_;
-    const glm::dvec3 place(clump.centre);
-    const glm::dvec3 along(shared::tangentOf(glm::vec3(up)));
-    const glm::dvec3 across = glm::cross(up, along);
-    double sum = 0.0;
-    int count = 0;
-    for (const glm::dvec3& aside : {along, across}) {
-        double heights = 0.0;
-        int found = 0;
-        for (const double sign : {-1.0, 1.0}) {
-            const glm::dvec3 above = place + radius * (sign * aside + up);
-            const auto hit = query_->cast(above, -up, 2.0 * radius, 0.0);
-            heights += hit.isHit() ? radius - hit.distance : 0.0;
-            found += hit.isHit() ? 1 : 0;
-        }
-        if (found == 2) {
-            sum += 0.5 * heights / radius;
-            ++count;
-        }
-    }
-    return count > 0 ? std::clamp(hollowMoisture * sum / count, -maxHollow, maxHollow) : 0.0;
+    const GroundForm form(ground, settings, scale, query, triangle, place);
+    return form.hollow - form.dryness;
 }
 
 WideVariation::Traits WideVariation::at(const Clumps::Clump* clump) const

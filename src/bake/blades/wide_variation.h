@@ -45,14 +45,16 @@ public:
     /// dark and blue in moist ones. `given`: its random number, which it keeps without variation.
     std::uint32_t clumpNumber(std::uint32_t given, const Traits& traits) const;
 
-private:
-    double hollowAt(const Clumps::Clump& clump, glm::dvec3 up) const;
+    /// Part of the moisture that the ground's form gives a place on a triangle: dry slopes, moist
+    /// hollows. [-1.7, 0.7]; 0 on level ground.
+    static double moistureOfGround(const terrain::GroundMesh& ground, const BakeSettings& settings,
+                                   double scale, const terrain::SurfaceQuery* query,
+                                   std::uint32_t triangle, glm::dvec3 place);
 
+private:
     const terrain::GroundMesh& ground_;
     const BakeSettings& settings_;
-    double scale_;
     const Clumps& clumps_;
-    const terrain::SurfaceQuery* query_;
     double amount_;
     glm::dvec3 wind_;
     std::vector<Traits> traits_;        ///< by clump; empty: no variation

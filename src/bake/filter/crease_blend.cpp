@@ -1,5 +1,7 @@
 #include "bake/filter/crease_blend.h"
 
+#include "bake/filter/species_mix.h"
+
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
 
@@ -31,6 +33,26 @@ std::vector<DAabb> boxesOf(const std::vector<terrain::ConvexCrease>& creases)
     return boxes;
 }
 
+// Height [m] of the higher blades at blade scale 1, by the species' shares, without the stalks of
+// plants where there are others.
+double swardHeight(const Meadow& meadow)
+{
+    const SpeciesMix mix(meadow);
+    const SpeciesShares& shares = mix.evenShares();
+    for (const bool withPlants : {false, true}) {
+        double sum = 0.0;
+        double weight = 0.0;
+        for (std::size_t slot = 0; slot < meadow.species.size(); ++slot)
+            if (withPlants || meadow.species[slot].organs.empty()) {
+                sum += shares.share[slot] * meadow.species[slot].height.y;
+                weight += shares.share[slot];
+            }
+        if (weight > 0.0)
+            return sum / weight;
+    }
+    return 0.0;
+}
+
 glm::dvec3 nearestOnEdge(const terrain::ConvexCrease& crease, glm::dvec3 place)
 {
     const glm::dvec3 from(crease.from);
@@ -51,21 +73,32 @@ CreaseBlend::CreaseBlend(const std::vector<terrain::ConvexCrease>& creases, doub
 {
 }
 
+double creaseReach(const Meadow& meadow, double scale)
+{
+    return scale * swardHeight(meadow);
+}
+
+std::vector<std::size_t> CreaseBlend::near(const DAabb& box) const
+{
+    std::vector<std::size_t> found;
+    if (!tree_.isEmpty())
+        tree_.visit(DAabb{box.low - reach_, box.high + reach_},
+                    [&](std::size_t index) { found.push_back(index); });
+    std::sort(found.begin(), found.end());
+    return found;
+}
+
 glm::dvec3 CreaseBlend::normalAt(const RootSample& root) const
 {
     const glm::dvec3 own(root.normal);
     if (tree_.isEmpty())
         return own;
     const glm::dvec3 place(root.position);
-    std::vector<std::size_t> near;
-    tree_.visit(DAabb{place - reach_, place + reach_},
-                [&](std::size_t index) { near.push_back(index); });
-    // Sums in the order of the creases are the same in any part of the ground.
-    std::sort(near.begin(), near.end());
     glm::dvec3 sum(0.0);
     double weights = 0.0;
     double largest = 0.0;
-    for (const std::size_t index : near) {
+    // Sums in the order of the creases are the same in any part of the ground.
+    for (const std::size_t index : near(DAabb{place, place})) {
         const terrain::ConvexCrease& crease = creases_[index];
         const glm::dvec3 offset = place - nearestOnEdge(crease, place);
         const double distance = std::sqrt(glm::dot(offset, offset));

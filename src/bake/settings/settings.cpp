@@ -213,6 +213,17 @@ Spread parseSpread(const std::string& text)
          text);
 }
 
+SeedUse parseSeedUse(const std::string& text)
+{
+    if (text == "never")
+        return SeedUse::never;
+    if (text == "auto")
+        return SeedUse::automatic;
+    if (text == "always")
+        return SeedUse::always;
+    fail(ErrorKind::usage, "--seeds is \"{}\"; expected auto, always or never", text);
+}
+
 Sides parseSides(const std::string& text)
 {
     if (text == "front")

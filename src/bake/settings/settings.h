@@ -22,6 +22,10 @@ enum class Sides { front, back, both };
 /// Poisson disks packed as densely as dart throwing allows.
 enum class Spread { uniform, poisson, poissonDense };
 
+/// Whether a field holds seeds, what bears, and but the first of its blades (decision 0044):
+/// automatic where the closed sward exceeds the budget.
+enum class SeedUse { never, automatic, always };
+
 /// Growth direction: 0 along the surface normal, 1 against gravity (ground-up), or between.
 struct Alignment {
     double vertical = 0.0; ///< [0, 1]
@@ -49,6 +53,7 @@ struct BakeSettings {
     Spread spread = Spread::uniform;       ///< distribution of roots
     std::uint64_t budget = 50'000'000;     ///< most blades and ribbons where the meadow decides
     std::uint64_t maxBlades = 200'000'000; ///< larger bakes fail before sampling
+    SeedUse seeds = SeedUse::never;        ///< whether the field holds seeds
     std::optional<double> bladeScale;      ///< none: automatic, smaller on small ground
     std::uint64_t seed = 0;                ///< seed of all random numbers
 
@@ -87,6 +92,9 @@ GroundUp parseGroundUp(const std::string& text);
 
 /// "uniform", "poisson", "poisson-dense". Throws Error{usage}.
 Spread parseSpread(const std::string& text);
+
+/// "never", "auto", "always". Throws Error{usage}.
+SeedUse parseSeedUse(const std::string& text);
 
 /// "front", "back", "both". Throws Error{usage}.
 Sides parseSides(const std::string& text);

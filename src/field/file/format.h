@@ -12,7 +12,7 @@ namespace sward::field::format {
 inline constexpr std::array<char, 8> magic{'S', 'W', 'A', 'R', 'D', '\r', '\n', '\x1a'};
 inline constexpr std::uint16_t majorVersion = 1;
 inline constexpr std::uint16_t minorVersion =
-    2; ///< newest; 1: the chunk `cover`; 2: organs of species
+    3; ///< newest; 1: the chunk `cover`; 2: organs of species; 3: seeds
 inline constexpr std::uint32_t endianMark = 0x01020304;
 inline constexpr std::uint64_t alignment = 64;
 inline constexpr std::uint32_t maxChunks = 64;
@@ -62,6 +62,9 @@ inline constexpr ChunkId groundMaterials{'G', 'M', 'A', 'T', 'E', 'R', 'I', 'A'}
 inline constexpr ChunkId groundImages{'G', 'I', 'M', 'A', 'G', 'E', 'S', ' '};
 inline constexpr ChunkId defaults{'D', 'E', 'F', 'A', 'U', 'L', 'T', 'S'};
 inline constexpr ChunkId cover{'C', 'O', 'V', 'E', 'R', ' ', ' ', ' '};
+inline constexpr ChunkId seeds{'S', 'E', 'E', 'D', 'S', ' ', ' ', ' '};
+inline constexpr ChunkId seedCells{'S', 'E', 'E', 'D', 'C', 'E', 'L', 'L'};
+inline constexpr ChunkId seedData{'S', 'E', 'E', 'D', 'D', 'A', 'T', 'A'};
 inline constexpr ChunkId provenance{'P', 'R', 'O', 'V', 'E', 'N', 'A', 'N'};
 
 } // namespace sward::field::format

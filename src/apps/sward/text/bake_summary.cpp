@@ -27,8 +27,14 @@ std::string sizeText(std::uint64_t bytes)
 
 std::string resultLine(const std::string& name, const bake::Report& report)
 {
-    return fmt::format("{}: {} blades in {} patches, {}, {:.1f} s", name, report.kept,
-                       report.output.patches, sizeText(report.output.bytes), report.timing.total);
+    const std::string seeds =
+        report.seeds.cells == 0
+            ? std::string()
+            : fmt::format("seeds of {:.3g} blades in {} cells ({}), ", report.seeds.blades,
+                          report.seeds.cells, sizeText(report.seeds.bytes));
+    return fmt::format("{}: {} blades in {} patches, {}{}, {:.1f} s", name, report.kept,
+                       report.output.patches, seeds, sizeText(report.output.bytes),
+                       report.timing.total);
 }
 
 std::string rejectionLine(const bake::Report& report)

@@ -5,6 +5,7 @@
 #include "apps/sward/text/provenance_text.h"
 #include "core/json/json_text.h"
 #include "field/inspect.h"
+#include "field/seeds/seeds.h"
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
@@ -94,6 +95,11 @@ std::string infoText(const std::string& file, const field::FieldView& field,
     row("width", fmt::format("mean {:.4f} m", summary.widthMean));
     for (std::size_t i = 0; i < field.species.size(); ++i)
         row("species", fmt::format("{}: {} blades", field.species[i].name, summary.perSpecies[i]));
+    if (field.seeds != nullptr)
+        row("seeds",
+            fmt::format("of {:.4g} roots per m2 in {}, {}; the blades are the first {:.3g}",
+                        field.seeds->meadow->density, counted(field.seeds->cells.size(), "cell"),
+                        sizeText(field.seeds->data.size()), field.seeds->meadow->stored));
     row("ground", groundText(*field.ground, summary.groundTriangles));
     for (const field::Camera& camera : field.defaults->cameras)
         row("camera", fmt::format("{}: from {} to {}", camera.name, pointText(camera.eye),
@@ -131,6 +137,11 @@ std::string infoJson(const std::string& file, const field::FieldView& field,
     for (std::size_t i = 0; i < field.species.size(); ++i)
         all["species"].push_back(
             {{"name", field.species[i].name}, {"blades", summary.perSpecies[i]}});
+    if (field.seeds != nullptr)
+        all["seeds"] = {{"density", field.seeds->meadow->density},
+                        {"cells", field.seeds->cells.size()},
+                        {"bytes", field.seeds->data.size()},
+                        {"stored", field.seeds->meadow->stored}};
     all["ground"] = groundJson(*field.ground, summary.groundTriangles);
     all["cameras"] = ordered_json::array();
     for (const field::Camera& camera : field.defaults->cameras)

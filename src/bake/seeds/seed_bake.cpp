@@ -1,0 +1,253 @@
+#include "bake/seeds/seed_bake.h"
+
+#include "bake/blades/blade_traits.h"
+#include "bake/blades/clumps.h"
+#include "bake/filter/species_mix.h"
+#include "bake/plan/plan.h"
+#include "bake/plan/sward_cover.h"
+#include "bake/sample/surface_sampler.h"
+#include "bake/seeds/seed_cells.h"
+#include "bake/seeds/seed_places.h"
+#include "bake/seeds/seed_sites.h"
+#include "core/error.h"
+#include "shaders/shared/sow/sown_blade.h"
+
+#include <glm/common.hpp>
+#include <tbb/parallel_for.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <optional>
+#include <utility>
+
+namespace sward::bake {
+namespace {
+
+// Blades of a 32 m cell at its first level; finer levels have three quarters as many a patch, and a
+// patch of more than 512 is split.
+constexpr double bladesOfFirstLevel = 920.0;
+constexpr double cellArea = 1024.0; // [m²] of a level cell
+constexpr std::uint32_t finestLevel = 10;
+
+// Blades of the lowest ranks that the field stores for the distance.
+constexpr double storedPerSquareMetre = 1.5; // at blade scale 1
+constexpr double minStored = 1e6;
+
+// Greatest factor of a blade's height by wide variation: as high as moisture of 1.5 makes it where
+// nothing is grazed.
+constexpr double maxWideHeight = 1.24;
+
+// Blades on smaller scales have waves too short for their fixed point.
+constexpr double smallestSeedScale = 1e-3;
+
+// The setting that cannot be sown; null if all can.
+const char* unsownSetting(const BakeSettings& settings, double scale)
+{
+    if (settings.spread != Spread::uniform)
+        return "--sampling poisson: the place of a Poisson disk depends on its neighbours";
+    if (settings.count)
+        return "--count: it chooses among all candidates; use --density";
+    if (!settings.strokes.empty())
+        return "--paint: strokes are baked into blades";
+    if (growsTufts(settings.meadow))
+        return "a meadow with tufts: their blades are moved on the ground";
+    if (scale < smallestSeedScale)
+        return "blades below a thousandth of their size: set a larger --blade-scale";
+    return nullptr;
+}
+
+double scaleOf(const terrain::GroundMesh& ground, const BakeSettings& settings)
+{
+    return settings.bladeScale.value_or(automaticScale(bearingArea(ground, settings.sides)));
+}
+
+// The shared text knows the purposes of random numbers by these.
+constexpr bool isDice(std::uint32_t number, Dimension dimension)
+{
+    return number == static_cast<std::uint32_t>(dimension);
+}
+static_assert(isDice(shared::sowChanceDice, Dimension::chance) &&
+              isDice(shared::sowSpeciesDice, Dimension::species) &&
+              isDice(shared::sowHeightDice, Dimension::height) &&
+              isDice(shared::sowWidthDice, Dimension::width) &&
+              isDice(shared::sowStiffnessDice, Dimension::stiffness) &&
+              isDice(shared::sowFacingDice, Dimension::facing) &&
+              isDice(shared::sowClumpDice, Dimension::clump) &&
+              isDice(shared::sowDrynessDice, Dimension::dryness));
+
+float narrow(double x)
+{
+    return static_cast<float>(x);
+}
+
+field::SeedMeadow seedMeadowOf(const BakeSettings& settings, const Plan& plan)
+{
+    const Meadow& own = settings.meadow;
+    field::SeedMeadow meadow;
+    meadow.seed = settings.seed;
+    meadow.density = plan.density;
+    meadow.scale = plan.scale;
+    meadow.clumpSpacing = plan.clumpSpacing;
+    meadow.heightWaves = narrow(own.heightWaves);
+    meadow.drifts = narrow(own.drifts);
+    meadow.sparseHeight = narrow(own.sparseHeight);
+    meadow.wideVariation = narrow(own.wideVariation);
+    meadow.creaseReach = narrow(creaseReach(own, plan.scale));
+    meadow.creaseBlend = narrow(own.edges.creaseBlend);
+    meadow.vertical = narrow(settings.align.vertical);
+    meadow.isRadial = settings.groundUp.radial;
+    meadow.up = meadow.isRadial ? settings.groundUp.centre : settings.groundUp.direction;
+    meadow.isMixed = own.species.size() > 1 && std::any_of(own.species.begin(), own.species.end(),
+                                                           [](const SpeciesTraits& one) {
+                                                               return one.habitat.needsAnything();
+                                                           });
+    const bool hasFeet = settings.exposureRays > 0 && own.edges.occluderReach > 0.0;
+    const double tallest = plan.scale * (1.0 + own.heightWaves) *
+                           (1.0 + (maxWideHeight - 1.0) * own.wideVariation) *
+                           (hasFeet ? std::max(own.edges.occluderHeight, 1.0) : 1.0);
+    const SpeciesShares shares = SpeciesMix(own).evenShares();
+    double highest = 0.0;
+    double widest = 0.0;
+    for (std::size_t slot = 0; slot < own.species.size(); ++slot) {
+        const SpeciesTraits& species = own.species[slot];
+        shared::SowSpecies sown = {};
+        sown.share = narrow(shares.share[slot]);
+        sown.heightLow = narrow(species.height.x * plan.scale);
+        sown.heightRange = narrow((species.height.y - species.height.x) * plan.scale);
+        sown.widthLow = narrow(species.width.x * plan.scale);
+        sown.widthRange = narrow((species.width.y - species.width.x) * plan.scale);
+        sown.stiffnessLow = narrow(species.stiffness.x);
+        sown.stiffnessRange = narrow(species.stiffness.y - species.stiffness.x);
+        sown.clumping = narrow(species.clumping);
+        sown.facing = species.facing == Facing::outward  ? shared::sowOutward
+                      : species.facing == Facing::shared ? shared::sowShared
+                                                         : shared::sowFree;
+        sown.ribbons = field::ribbonsOf(species.organs);
+        meadow.species.push_back(sown);
+        highest = std::max(highest, species.height.y * tallest);
+        widest = std::max(widest, species.width.y * plan.scale);
+        for (const field::Organ& organ : species.organs)
+            widest = std::max(widest, species.height.y * tallest *
+                                          double(std::max(organ.length.x, organ.length.y)) *
+                                          double(organ.width));
+    }
+    meadow.highest = narrow(highest);
+    meadow.widest = narrow(widest);
+
+    const double perRoot = bladesPerRoot(own);
+    double left = plan.density * perRoot * cellArea;
+    while (left > bladesOfFirstLevel && meadow.levels < finestLevel) {
+        left *= 0.25;
+        ++meadow.levels;
+    }
+    const double all = plan.density * perRoot * plan.area;
+    const double wanted =
+        std::min(std::max(storedPerSquareMetre / (plan.scale * plan.scale) * plan.area, minStored),
+                 double(settings.budget));
+    // Whole levels, so that the last patches are full.
+    meadow.stored = 1.0;
+    for (std::uint32_t level = meadow.levels; level > 0 && meadow.stored * all > wanted; --level)
+        meadow.stored *= 0.25;
+    meadow.stored = std::min(meadow.stored, wanted / std::max(all, 1.0));
+    return meadow;
+}
+
+// Entries [begin, end) of one cell.
+template <typename T>
+std::pair<std::size_t, std::size_t> rangeOf(const std::vector<T>& list, const SeedCellNumber& cell,
+                                            std::size_t from)
+{
+    std::size_t begin = from;
+    while (begin < list.size() && list[begin].cell < cell)
+        ++begin;
+    std::size_t end = begin;
+    while (end < list.size() && list[end].cell == cell)
+        ++end;
+    return {begin, end};
+}
+
+} // namespace
+
+bool writesSeeds(const terrain::GroundMesh& ground, const BakeSettings& settings)
+{
+    if (settings.seeds == SeedUse::never)
+        return false;
+    const double scale = scaleOf(ground, settings);
+    const char* const unsown = unsownSetting(settings, scale);
+    if (settings.seeds == SeedUse::always) {
+        if (unsown != nullptr)
+            fail(ErrorKind::usage, "--seeds always cannot sow {}", unsown);
+        return true;
+    }
+    const double density =
+        settings.density.value_or(closedDensity(settings.meadow) / (scale * scale));
+    return unsown == nullptr &&
+           density * bearingArea(ground, settings.sides) * bladesPerRoot(settings.meadow) >
+               double(settings.budget);
+}
+
+BakeSettings fullSettings(const BakeSettings& settings)
+{
+    BakeSettings full = settings;
+    full.budget = std::numeric_limits<std::uint64_t>::max();
+    full.maxBlades = std::numeric_limits<std::uint64_t>::max();
+    return full;
+}
+
+field::Seeds makeSeeds(const GroundView& whole, const BakeSettings& settings, const BakePlan& plan,
+                       Progress& progress)
+{
+    const terrain::GroundMesh& ground = whole.ground;
+    field::Seeds seeds;
+    seeds.meadow = seedMeadowOf(settings, plan.plan);
+    const double reach = 1.5 * seeds.meadow.clumpSpacing;
+    const SeedUnits units(ground, seeds.meadow.scale, reach);
+    seeds.meadow.unitBits = units.bits();
+
+    const RootFilter filter(ground, settings, whole.rays, &whole.features, plan.plan.scale);
+    const SeedSites sites(ground, settings, plan.plan.scale, seeds.meadow, filter, whole.rays,
+                          whole.features);
+    const SeedPlaces places = seedPlaces(ground, settings, units, seeds.meadow.clumpSpacing, reach);
+    const SeedCells maker(ground, settings, seeds.meadow, units, sites);
+
+    // The ranges of all cells that triangles touch, then batches of them: cells are made by several
+    // threads and appended in order.
+    struct Ranges {
+        std::pair<std::size_t, std::size_t> parts;
+        std::pair<std::size_t, std::size_t> centres;
+    };
+    std::vector<Ranges> ranges;
+    for (std::size_t part = 0, centre = 0; part < places.parts.size();) {
+        const SeedCellNumber cell = places.parts[part].cell;
+        ranges.push_back(
+            {rangeOf(places.parts, cell, part), rangeOf(places.centres, cell, centre)});
+        part = ranges.back().parts.second;
+        centre = ranges.back().centres.second;
+    }
+    progress.begin("seeds", ranges.size());
+    constexpr std::size_t batch = 256;
+    struct Made {
+        field::SeedCell cell;
+        UninitializedVector<std::byte> packed;
+    };
+    for (std::size_t first = 0; first < ranges.size(); first += batch) {
+        std::vector<Made> made(std::min(batch, ranges.size() - first));
+        tbb::parallel_for(std::size_t(0), made.size(), [&](std::size_t i) {
+            const auto& [parts, centres] = ranges[first + i];
+            made[i].cell = maker.make(
+                std::span(places.parts).subspan(parts.first, parts.second - parts.first),
+                std::span(places.centres).subspan(centres.first, centres.second - centres.first));
+            if (!made[i].cell.pieces.empty())
+                made[i].packed = field::packSeedCell(made[i].cell, seeds.meadow.isMixed);
+            progress.advance(1);
+        });
+        progress.throwIfCancelled();
+        for (const Made& one : made)
+            if (!one.cell.pieces.empty())
+                field::addSeedCell(seeds, one.cell, one.packed);
+    }
+    return seeds;
+}
+
+} // namespace sward::bake

@@ -1,0 +1,448 @@
+#include "bake/seeds/seed_cells.h"
+
+#include "bake/blades/clumps.h"
+#include "bake/sample/triangle_points.h"
+#include "core/error.h"
+#include "core/random.h"
+#include "shaders/shared/sow/sown_blade.h"
+
+#include <glm/geometric.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <cstring>
+#include <limits>
+#include <map>
+#include <string_view>
+#include <unordered_map>
+#include <vector>
+
+namespace sward::bake {
+namespace {
+
+// Conditions that vary are sampled at least this densely [m].
+constexpr double finestSample = 0.5;
+constexpr std::uint32_t maxGridSteps = 64;
+
+// Where the exposures of a triangle's corners differ by less, it varies linearly on the triangle.
+constexpr float evenExposure = 0.15f;
+
+// Where their densities differ by less, in 65535ths, it does so, too.
+constexpr std::uint32_t evenDensity = 1000;
+
+constexpr double maxCandidatesOfSide = 2147483647.0;
+
+std::string_view bytesOf(const shared::SeedConditions& conditions)
+{
+    return {reinterpret_cast<const char*>(&conditions), sizeof conditions};
+}
+
+bool areEqual(const std::vector<shared::SeedConditions>& list)
+{
+    return std::all_of(list.begin(), list.end(), [&](const shared::SeedConditions& one) {
+        return bytesOf(one) == bytesOf(list.front());
+    });
+}
+
+std::uint32_t densityOf(const shared::SeedConditions& conditions)
+{
+    return conditions.growth & 65535U;
+}
+
+// The lowest `bits` bits of x whose image under a map of low bits to low bits is `wanted`.
+template <typename Map>
+std::uint32_t invertLowBits(std::uint32_t wanted, std::uint32_t bits, Map map)
+{
+    std::uint32_t x = 0;
+    for (std::uint32_t bit = 0; bit < bits; ++bit)
+        if (((map(x) ^ wanted) >> bit & 1U) != 0)
+            x |= 1U << bit;
+    return x;
+}
+
+std::uint32_t reversedBits(std::uint32_t x, std::uint32_t bits)
+{
+    return bits == 0 ? 0 : shared::sowReverse(x) >> (32U - bits);
+}
+
+// What the corners of a whole triangle tell of it.
+struct CornerSites {
+    enum class Kind {
+        unknown,  // nothing: all must be sampled
+        evenRays, // what rays find varies linearly
+        linear    // everything does
+    };
+
+    Kind kind = Kind::unknown;
+    std::array<float, 3> exposure{1.0f, 1.0f, 1.0f};
+
+    float at(glm::vec2 barycentric) const
+    {
+        return exposure[0] + barycentric.x * (exposure[1] - exposure[0]) +
+               barycentric.y * (exposure[2] - exposure[0]);
+    }
+};
+
+// A grid of places of a part.
+struct SampleGrid {
+    std::uint32_t alongS = 1;
+    std::uint32_t alongV = 1;
+};
+
+} // namespace
+
+// Gathers one cell.
+class SeedCells::Builder {
+public:
+    Builder(const SeedCells& of, const SeedCellNumber& cell)
+        : of_(of)
+        , clumpKey_(clumpKeyOf(of.settings_.seed))
+    {
+        result_.cell = cell;
+    }
+
+    void add(const SeedPart& part)
+    {
+        const TrianglePoints points(of_.ground_, part.triangle);
+        shared::SeedPiece piece = pieceOf(part);
+        if (piece.count == 0)
+            return;
+        if (!setConditions(part, points, piece))
+            return;
+        setCreases(part, piece);
+        setCorners(part, points, piece);
+        pieceOf_.try_emplace(part.triangle, static_cast<std::uint32_t>(result_.pieces.size()));
+        result_.pieces.push_back(piece);
+    }
+
+    void add(const SeedCentre& centre)
+    {
+        auto found = pieceOf_.find(centre.triangle);
+        if (found == pieceOf_.end()) {
+            // It lies on a triangle that grows nothing here.
+            const TrianglePoints points(of_.ground_, centre.triangle);
+            shared::SeedPiece piece = {};
+            piece.source = of_.ground_.source(centre.triangle);
+            piece.bits = shared::noSeedBits;
+            piece.creases = shared::noSeedBits;
+            setCorners({centre.triangle, 0, 0, 0, 0, 0}, points, piece);
+            found =
+                pieceOf_.emplace(centre.triangle, static_cast<std::uint32_t>(result_.pieces.size()))
+                    .first;
+            result_.pieces.push_back(piece);
+        }
+        const shared::SeedPiece& piece = result_.pieces[found->second];
+        const glm::ivec3 place = shared::sowClumpPlace(
+            result_.vertices[piece.corners[0]], result_.vertices[piece.corners[1]],
+            result_.vertices[piece.corners[2]],
+            shared::sowClumpKey(clumpKey_, piece.source, centre.number));
+        result_.clumps.push_back({found->second, centre.number,
+                                  of_.sites_.moistureOf(centre.triangle, positionOf(place))});
+    }
+
+    bool growsAnything() const
+    {
+        return std::any_of(result_.pieces.begin(), result_.pieces.end(),
+                           [](const shared::SeedPiece& piece) { return piece.count > 0; });
+    }
+
+    field::SeedCell finish() { return std::move(result_); }
+
+private:
+    // Corners, numbers and candidates of a part.
+    shared::SeedPiece pieceOf(const SeedPart& part)
+    {
+        const terrain::GroundMesh& ground = of_.ground_;
+        shared::SeedPiece piece = {};
+        piece.source = ground.source(part.triangle);
+        piece.bits = shared::noSeedBits;
+        piece.creases = shared::noSeedBits;
+        piece.form = part.p | part.q << 5U | part.back << 31U;
+        const double expected = of_.meadow_.density * ground.area(part.triangle);
+        const double count =
+            std::floor(expected + roundingShare(of_.settings_.seed, piece.source, part.back != 0));
+        if (count > maxCandidatesOfSide)
+            fail(ErrorKind::input,
+                 "triangle {} of {:.6g} m² would bear {:.6g} blades, more than "
+                 "{}",
+                 piece.source, ground.area(part.triangle), count, maxCandidatesOfSide);
+        piece.expected = static_cast<float>(expected);
+        const auto all = static_cast<std::uint32_t>(count);
+        if (part.p + part.q == 0) {
+            piece.count = all;
+        } else {
+            const glm::uvec2 sequence =
+                shared::sowSequence(of_.settings_.seed, piece.source, part.back);
+            piece.low = invertLowBits(reversedBits(part.u, part.p), part.p, [&](std::uint32_t x) {
+                return shared::sowScramble(x, sequence.x);
+            });
+            piece.target =
+                invertLowBits(reversedBits(part.v, part.q), part.q,
+                              [&](std::uint32_t x) { return shared::sowScramble(x, sequence.y); });
+            const std::uint32_t whole = all >> (part.p + part.q);
+            piece.count = whole + (shared::sowCandidate(piece, whole) < all ? 1 : 0);
+        }
+        return piece;
+    }
+
+    // A position relative to the ground's origin [m].
+    glm::dvec3 positionOf(const glm::ivec3& place) const
+    {
+        const SeedCellNumber& cell = result_.cell;
+        return seedCellSide * glm::dvec3(double(cell[0]), double(cell[1]), double(cell[2])) +
+               std::ldexp(1.0, -int(of_.units_.bits())) * glm::dvec3(place);
+    }
+
+    DAabb cellBox() const
+    {
+        DAabb box;
+        box.add(positionOf(glm::ivec3(0)));
+        box.add(positionOf(glm::ivec3(0)) + seedCellSide);
+        return box;
+    }
+
+    // Lists the creases near a part.
+    void setCreases(const SeedPart& part, shared::SeedPiece& piece)
+    {
+        const glm::uvec3 corners = of_.ground_.triangles[part.triangle];
+        DAabb box;
+        for (glm::length_t k = 0; k < 3; ++k)
+            box.add(glm::dvec3(of_.ground_.positions[corners[k]]));
+        const std::vector<terrain::ConvexCrease> creases = of_.sites_.creasesNear(box, cellBox());
+        if (creases.empty())
+            return;
+        std::vector<std::uint32_t> list{static_cast<std::uint32_t>(creases.size())};
+        for (const terrain::ConvexCrease& crease : creases)
+            list.push_back(wordsOf(crease));
+        piece.creases = static_cast<std::uint32_t>(result_.words.size());
+        result_.words.insert(result_.words.end(), list.begin(), list.end());
+    }
+
+    // First word of a crease.
+    std::uint32_t wordsOf(const terrain::ConvexCrease& crease)
+    {
+        const shared::SeedVertex from = of_.units_.in(result_.cell, crease.from);
+        const shared::SeedVertex to = of_.units_.in(result_.cell, crease.to);
+        const auto word = [](int x) { return static_cast<std::uint32_t>(x); };
+        const std::array<std::uint32_t, shared::seedCreaseWords> words{
+            word(from.x), word(from.y), word(from.z), word(to.x), word(to.y), word(to.z),
+            SeedSites::pack(glm::dvec3(crease.normals[0])),
+            SeedSites::pack(glm::dvec3(crease.normals[1]))};
+        const auto [found, isNew] =
+            creaseOf_.try_emplace(words, static_cast<std::uint32_t>(result_.words.size()));
+        if (isNew)
+            result_.words.insert(result_.words.end(), words.begin(), words.end());
+        return found->second;
+    }
+
+    RootSample rootAt(const SeedPart& part, const TrianglePoints& points, double b, double c,
+                      std::uint32_t number) const
+    {
+        return points.at(static_cast<float>(b), static_cast<float>(c),
+                         number | (part.back != 0 ? backSide : 0U));
+    }
+
+    void setCorners(const SeedPart& part, const TrianglePoints& points, shared::SeedPiece& piece)
+    {
+        const glm::uvec3 corners = of_.ground_.triangles[part.triangle];
+        for (glm::length_t k = 0; k < 3; ++k) {
+            const RootSample root = rootAt(part, points, k == 1 ? 1.0 : 0.0, k == 2 ? 1.0 : 0.0, 0);
+            const std::uint32_t up = piece.creases == shared::noSeedBits
+                                         ? of_.sites_.upAt(root)
+                                         : SeedSites::pack(glm::dvec3(root.normal));
+            const auto [found, isNew] =
+                vertexOf_.try_emplace(std::uint64_t(corners[k]) << 32U | up,
+                                      static_cast<std::uint32_t>(result_.vertices.size()));
+            if (isNew) {
+                shared::SeedVertex vertex =
+                    of_.units_.in(result_.cell, of_.ground_.positions[corners[k]]);
+                vertex.up = up;
+                result_.vertices.push_back(vertex);
+            }
+            piece.corners[k] = found->second;
+        }
+    }
+
+    // What rays find at a vertex is the same for all its triangles.
+    const SeedRays& raysAtVertex(std::uint32_t vertex, const RootSample& root)
+    {
+        const std::uint64_t key = std::uint64_t(vertex) << 1U | root.candidate >> 31U;
+        const auto found = rays_.find(key);
+        return found != rays_.end() ? found->second
+                                    : rays_.emplace(key, of_.sites_.raysAt(root)).first->second;
+    }
+
+    // Samples the conditions of a part; false if nothing grows there.
+    bool setConditions(const SeedPart& part, const TrianglePoints& points, shared::SeedPiece& piece)
+    {
+        const std::array<std::uint32_t, 2> s = rangeOfS(part);
+        std::vector<shared::SeedConditions> list;
+        SampleGrid grid;
+        const CornerSites corners = sampleCorners(part, points, list);
+        if (corners.kind != CornerSites::Kind::linear) {
+            grid = gridOf(part, s);
+            sampleGrid(part, points, s, grid, corners, list);
+        }
+        const bool isBare = std::all_of(list.begin(), list.end(),
+                                        [](const auto& one) { return densityOf(one) == 0; });
+        if (isBare)
+            return false;
+        const bool isSharp = std::any_of(list.begin(), list.end(),
+                                         [](const auto& one) { return densityOf(one) == 0; });
+        if (isSharp && !setBits(part, points, piece))
+            return false;
+        if (areEqual(list)) {
+            const auto [found, isNew] =
+                conditionsOf_.try_emplace(std::string(bytesOf(list.front())),
+                                          static_cast<std::uint32_t>(result_.conditions.size()));
+            if (isNew)
+                result_.conditions.push_back(list.front());
+            piece.records = found->second;
+            return true;
+        }
+        piece.records = static_cast<std::uint32_t>(result_.conditions.size());
+        piece.form |= grid.alongS << 10U | grid.alongV << 18U;
+        piece.sStart = s[0];
+        piece.sScale = static_cast<std::uint32_t>(
+            std::min((std::uint64_t(grid.alongS) << 48U) / (s[1] - s[0]),
+                     std::uint64_t(std::numeric_limits<std::uint32_t>::max())));
+        result_.conditions.insert(result_.conditions.end(), list.begin(), list.end());
+        return true;
+    }
+
+    // Conditions at the corners of a whole triangle, and how they go on between them.
+    CornerSites sampleCorners(const SeedPart& part, const TrianglePoints& points,
+                              std::vector<shared::SeedConditions>& list)
+    {
+        CornerSites found;
+        if (part.p + part.q > 0 || of_.sites_.varies(part.triangle))
+            return found;
+        const glm::uvec3 corners = of_.ground_.triangles[part.triangle];
+        std::array<shared::SeedConditions, 3> at;
+        float low = 1.0f;
+        float high = 0.0f;
+        std::uint32_t sparsest = 65535;
+        std::uint32_t densest = 0;
+        for (glm::length_t k = 0; k < 3; ++k) {
+            const RootSample root = rootAt(part, points, k == 1 ? 1.0 : 0.0, k == 2 ? 1.0 : 0.0,
+                                           static_cast<std::uint32_t>(k));
+            const SeedRays& rays = raysAtVertex(corners[k], root);
+            at[std::size_t(k)] = of_.sites_.at(root, rays);
+            low = std::min(low, rays.around.exposure);
+            high = std::max(high, rays.around.exposure);
+            sparsest = std::min(sparsest, densityOf(at[std::size_t(k)]));
+            densest = std::max(densest, densityOf(at[std::size_t(k)]));
+            if (rays.isBlocked || rays.room < 1.0 || rays.around.foot > 0.0f)
+                return found;
+            found.exposure[std::size_t(k)] = rays.around.exposure;
+        }
+        if (high - low > evenExposure)
+            return found;
+        // (s, v): (0, 0), (1, 0), (0, 1), (1, 1)
+        list = {at[0], at[1], at[0], at[2]};
+        found.kind = densest - sparsest <= evenDensity && (sparsest > 0 || densest == 0)
+                         ? CornerSites::Kind::linear
+                         : CornerSites::Kind::evenRays;
+        return found;
+    }
+
+    // Steps of a grid that samples the part densely enough.
+    SampleGrid gridOf(const SeedPart& part, const std::array<std::uint32_t, 2>& s) const
+    {
+        const glm::uvec3 corners = of_.ground_.triangles[part.triangle];
+        const glm::dvec3 a(of_.ground_.positions[corners.x]);
+        const glm::dvec3 b(of_.ground_.positions[corners.y]);
+        const glm::dvec3 c(of_.ground_.positions[corners.z]);
+        const double farther = std::max(glm::length(b - a), glm::length(c - a));
+        const double along = farther * double(s[1] - s[0]) * 0x1p-32;
+        const double across =
+            glm::length(c - b) * double(s[1]) * 0x1p-32 * std::ldexp(1.0, -int(part.q));
+        const auto steps = [](double length) {
+            return std::clamp(static_cast<std::uint32_t>(std::ceil(length / finestSample)), 1U,
+                              maxGridSteps);
+        };
+        // Steps along s are counted in 2⁻¹⁶ of them.
+        return {std::clamp(steps(along), 1U, std::max((s[1] - s[0]) >> 16U, 1U)), steps(across)};
+    }
+
+    void sampleGrid(const SeedPart& part, const TrianglePoints& points,
+                    const std::array<std::uint32_t, 2>& s, const SampleGrid& grid,
+                    const CornerSites& corners, std::vector<shared::SeedConditions>& list)
+    {
+        list.clear();
+        std::uint32_t number = 0;
+        for (std::uint32_t row = 0; row <= grid.alongV; ++row)
+            for (std::uint32_t column = 0; column <= grid.alongS; ++column, ++number) {
+                const double along =
+                    (double(s[0]) + double(s[1] - s[0]) * double(column) / double(grid.alongS)) *
+                    0x1p-32;
+                const double across =
+                    std::ldexp(double(part.v) + double(row) / double(grid.alongV), -int(part.q));
+                const RootSample root =
+                    rootAt(part, points, along * (1.0 - across), along * across, number);
+                if (corners.kind == CornerSites::Kind::evenRays) {
+                    SeedRays rays;
+                    rays.around.exposure = corners.at(root.barycentric);
+                    list.push_back(of_.sites_.at(root, rays));
+                } else {
+                    list.push_back(of_.sites_.at(root, of_.sites_.raysAt(root)));
+                }
+            }
+    }
+
+    // Asks for each candidate; false if none grows.
+    bool setBits(const SeedPart& part, const TrianglePoints& points, shared::SeedPiece& piece)
+    {
+        const TriangleSequence sequence(of_.settings_.seed, piece.source, part.back != 0);
+        const auto first = static_cast<std::uint32_t>(result_.words.size());
+        result_.words.resize(first + (std::size_t(piece.count) + 31) / 32);
+        bool growsAny = false;
+        for (std::uint32_t j = 0; j < piece.count; ++j) {
+            const std::uint32_t candidate = shared::sowCandidate(piece, j);
+            const glm::vec2 place = sequence.at(candidate);
+            if (!of_.sites_.grows(
+                    points.at(place.x, place.y, candidate | (part.back != 0 ? backSide : 0U))))
+                continue;
+            result_.words[first + j / 32] |= 1U << j % 32;
+            growsAny = true;
+        }
+        piece.bits = first;
+        if (!growsAny)
+            result_.words.resize(first);
+        return growsAny;
+    }
+
+    const SeedCells& of_;
+    field::SeedCell result_;
+    std::unordered_map<std::uint64_t, std::uint32_t> vertexOf_; ///< by ground vertex and up-vector
+    std::unordered_map<std::uint32_t, std::uint32_t> pieceOf_;  ///< first one, by triangle
+    std::unordered_map<std::string, std::uint32_t> conditionsOf_;
+    std::unordered_map<std::uint64_t, SeedRays> rays_;
+    std::map<std::array<std::uint32_t, shared::seedCreaseWords>, std::uint32_t> creaseOf_;
+    std::uint64_t clumpKey_;
+};
+
+SeedCells::SeedCells(const terrain::GroundMesh& ground, const BakeSettings& settings,
+                     const field::SeedMeadow& meadow, const SeedUnits& units,
+                     const SeedSites& sites)
+    : ground_(ground)
+    , settings_(settings)
+    , meadow_(meadow)
+    , units_(units)
+    , sites_(sites)
+{
+}
+
+field::SeedCell SeedCells::make(std::span<const SeedPlaces::Part> parts,
+                                std::span<const SeedPlaces::Centre> centres) const
+{
+    Builder builder(*this, parts.front().cell);
+    for (const SeedPlaces::Part& part : parts)
+        builder.add(part.part);
+    if (builder.growsAnything())
+        for (const SeedPlaces::Centre& centre : centres)
+            builder.add(centre.centre);
+    return builder.finish();
+}
+
+} // namespace sward::bake

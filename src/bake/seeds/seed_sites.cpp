@@ -1,0 +1,263 @@
+#include "bake/seeds/seed_sites.h"
+
+#include "bake/blades/ground_color.h"
+#include "bake/blades/wide_variation.h"
+#include "bake/filter/occluder_test.h"
+#include "bake/filter/up_vector.h"
+#include "bake/ground/drawn_colors.h"
+#include "core/math/floor.h"
+#include "core/random.h"
+
+#include <glm/geometric.hpp>
+
+#include <algorithm>
+#include <cmath>
+
+namespace sward::bake {
+namespace {
+
+constexpr double bareCellSide = 2.0; // [m]
+constexpr double maxBareCells = 1e5; // of one triangle; larger ones count as being everywhere
+
+std::uint32_t fractionOf(double x, std::uint32_t whole)
+{
+    return static_cast<std::uint32_t>(std::clamp(x, 0.0, 1.0) * double(whole) + 0.5);
+}
+
+std::uint32_t byteOf(double x)
+{
+    return fractionOf(x, 255);
+}
+
+std::uint64_t bareCell(std::int64_t x, std::int64_t y, std::int64_t z)
+{
+    return hashBits(hashBits(std::uint64_t(x), std::uint64_t(y)), std::uint64_t(z));
+}
+
+// Calls visit(cell) for the cells of a box; false if there are too many.
+template <typename Visit>
+bool eachBareCell(const Aabb& box, double reach, Visit visit)
+{
+    std::int64_t low[3];
+    std::int64_t high[3];
+    double count = 1.0;
+    for (glm::length_t axis = 0; axis < 3; ++axis) {
+        low[axis] = floorOf((double(box.low[axis]) - reach) / bareCellSide);
+        high[axis] = floorOf((double(box.high[axis]) + reach) / bareCellSide);
+        count *= double(high[axis] - low[axis] + 1);
+    }
+    if (count > maxBareCells)
+        return false;
+    for (std::int64_t x = low[0]; x <= high[0]; ++x)
+        for (std::int64_t y = low[1]; y <= high[1]; ++y)
+            for (std::int64_t z = low[2]; z <= high[2]; ++z)
+                visit(bareCell(x, y, z));
+    return true;
+}
+
+Aabb triangleBox(const terrain::GroundMesh& ground, std::size_t triangle)
+{
+    Aabb box;
+    for (glm::length_t corner = 0; corner < 3; ++corner)
+        box.add(ground.positions[ground.triangles[triangle][corner]]);
+    return box;
+}
+
+// Keeps the part of a crease within a box; false if there is none.
+bool cutToBox(terrain::ConvexCrease& crease, const DAabb& box)
+{
+    const glm::dvec3 from(crease.from);
+    const glm::dvec3 along = glm::dvec3(crease.to) - from;
+    double first = 0.0;
+    double last = 1.0;
+    for (glm::length_t axis = 0; axis < 3; ++axis) {
+        if (along[axis] == 0.0) {
+            if (from[axis] < box.low[axis] || from[axis] > box.high[axis])
+                return false;
+            continue;
+        }
+        const double low = (box.low[axis] - from[axis]) / along[axis];
+        const double high = (box.high[axis] - from[axis]) / along[axis];
+        first = std::max(first, std::min(low, high));
+        last = std::min(last, std::max(low, high));
+    }
+    if (first > last)
+        return false;
+    if (first > 0.0)
+        crease.from = glm::vec3(from + first * along);
+    if (last < 1.0)
+        crease.to = glm::vec3(from + last * along);
+    return true;
+}
+
+bool hasMaskOf(const Habitat& habitat)
+{
+    return !habitat.masks.empty();
+}
+
+} // namespace
+
+SeedSites::SeedSites(const terrain::GroundMesh& ground, const BakeSettings& settings, double scale,
+                     const field::SeedMeadow& meadow, const RootFilter& filter,
+                     const terrain::SurfaceQuery* rays, const terrain::SurfaceFeatures& features)
+    : ground_(ground)
+    , settings_(settings)
+    , meadow_(meadow)
+    , filter_(filter)
+    , rays_(rays)
+    , scale_(scale)
+    , colorsAreMask_(masksByVertexColor(settings))
+    , fitsOverhangs_(settings.meadow.fitsOverhangs && rays != nullptr &&
+                     (settings.exposureRays > 0 || settings.clearance > 0.0))
+    , baseColors_(drawnBaseColors(ground, colorsAreMask_))
+    , paths_(ground, settings, filter, &features, scale)
+    , creases_(features.creases, creaseReach(settings.meadow, scale),
+               settings.meadow.edges.creaseBlend)
+{
+    if (rays != nullptr && settings.exposureRays > 0)
+        sky_.emplace(ground, settings, settings.rayLength * scale, *rays,
+                     settings.meadow.edges.occluderReach * scale);
+    filtersVary_ = !settings.masks.empty() || !settings.excluded.empty() || needsGreen(settings) ||
+                   !settings.border.holds(-unbounded, unbounded) || settings.clearance > 0.0 ||
+                   !settings.sky.holds(0.0, 1.0) || Cutout(ground, colorsAreMask_).isAny() ||
+                   std::any_of(settings.meadow.species.begin(), settings.meadow.species.end(),
+                               [](const SpeciesTraits& one) { return hasMaskOf(one.habitat); });
+    markBare();
+}
+
+// Blades change near bare ground: it may bury or shade them, or be a path.
+void SeedSites::markBare()
+{
+    const EdgeTraits& edges = settings_.meadow.edges;
+    const double reach = std::max(2.0 * edges.occluderReach, edges.pathReach) * scale_ + 0.01;
+    for (std::size_t t = 0; t < ground_.triangles.size() && !isAllNearBare_; ++t)
+        if (ground_.bears[t] == 0)
+            isAllNearBare_ = !eachBareCell(triangleBox(ground_, t), reach,
+                                           [&](std::uint64_t cell) { bare_.insert(cell); });
+}
+
+bool SeedSites::isNearBare(std::uint32_t triangle) const
+{
+    if (isAllNearBare_)
+        return true;
+    bool isNear = false;
+    return !bare_.empty() &&
+           (!eachBareCell(triangleBox(ground_, triangle), 0.0,
+                          [&](std::uint64_t cell) { isNear = isNear || bare_.contains(cell); }) ||
+            isNear);
+}
+
+bool SeedSites::varies(std::uint32_t triangle) const
+{
+    return filtersVary_ ||
+           ground_.materials[ground_.materialOf[triangle]].image !=
+               terrain::GroundMaterial::noImage ||
+           isNearBare(triangle);
+}
+
+SeedRays SeedSites::raysAt(const RootSample& root) const
+{
+    SeedRays found;
+    found.isBlocked = filter_.obstacle(root).has_value();
+    if (sky_)
+        found.around = sky_->around(root);
+    if (!fitsOverhangs_)
+        return found;
+    constexpr double used = 0.95; // as BladeGrower
+    const glm::dvec3 place(root.position);
+    const glm::dvec3 up = upVector(creases_.normalAt(root),
+                                   settings_.groundUp.at(ground_.origin + place), settings_.align);
+    const double wanted = double(meadow_.highest) / used;
+    if (wanted > settings_.clearance && !rays_->isClear(place, up, wanted, root.triangle))
+        found.room = rays_->clearance(place, up, wanted, root.triangle) / wanted;
+    return found;
+}
+
+shared::SeedConditions SeedSites::at(const RootSample& root, const SeedRays& rays) const
+{
+    const Stand stand = filter_.standAt(root);
+    const EdgeTraits& edges = settings_.meadow.edges;
+    const auto foot = static_cast<double>(rays.around.foot);
+    const PathEdges::Edge path = paths_.at(root, stand.weight);
+    const double trodden = path.nearness * (1.0 - foot);
+    const double height =
+        (1.0 + (edges.occluderHeight - 1.0) * foot) * (1.0 - (1.0 - edges.pathHeight) * trodden);
+    const double stiffness = 1.0 - 0.6 * edges.pathLean * trodden;
+    const glm::dvec3 lean = path.away * (edges.pathLean * trodden);
+    const glm::vec3 tint = groundColor(ground_, root, baseColors_, colorsAreMask_);
+
+    // Weights above 0 stay above 0.
+    std::uint32_t density = rays.isBlocked ? 0 : fractionOf(stand.weight, 65535);
+    if (density == 0 && stand.weight > 0.0 && !rays.isBlocked)
+        density = 1;
+    const auto component = [](double x) {
+        return static_cast<std::uint32_t>(std::clamp(x, -1.0, 1.0) * 127.0 + 127.5);
+    };
+    // 255 says that nothing is above; a lower number is rounded down.
+    const auto room = rays.room >= 1.0 ? 255U : static_cast<std::uint32_t>(rays.room * 254.0);
+    shared::SeedConditions conditions = {};
+    conditions.growth = density | byteOf(double(rays.around.exposure)) << 16U |
+                        byteOf(edges.occluderDryness * foot) << 24U;
+    conditions.look = byteOf(double(tint.x)) | byteOf(double(tint.y)) << 8U |
+                      byteOf(double(tint.z)) << 16U | byteOf(stiffness) << 24U;
+    const double vigour = meadow_.isMixed ? 1.0 : stand.vigour[0];
+    conditions.size = std::min(static_cast<std::uint32_t>(height * 8192.0 + 0.5), 65535U) |
+                      byteOf(vigour) << 16U | room << 24U;
+    conditions.lean = component(lean.x) | component(lean.y) << 8U | component(lean.z) << 16U;
+    for (std::size_t slot = 0; meadow_.isMixed && slot < settings_.meadow.species.size(); ++slot) {
+        const double total = std::max(stand.shares.total, 1e-9);
+        conditions.share[slot / 4] |= byteOf(stand.shares.share[slot] / total) << 8U * (slot % 4);
+        conditions.vigour[slot / 4] |= byteOf(stand.vigour[slot]) << 8U * (slot % 4);
+    }
+    return conditions;
+}
+
+bool SeedSites::grows(const RootSample& root) const
+{
+    const double chance = uniform(settings_.seed, keyBits(keyOf(ground_, root)),
+                                  static_cast<std::uint32_t>(Dimension::chance));
+    Reject ignored = Reject::mask;
+    return filter_.weigh(root, chance, ignored) > chance && !filter_.obstacle(root);
+}
+
+std::uint32_t SeedSites::upAt(const RootSample& root) const
+{
+    const glm::dvec3 up = upVector(
+        glm::dvec3(root.normal), settings_.groundUp.at(ground_.origin + glm::dvec3(root.position)),
+        settings_.align);
+    return pack(up);
+}
+
+std::uint32_t SeedSites::pack(glm::dvec3 unit)
+{
+    const auto component = [](double x) {
+        return static_cast<std::uint32_t>(std::clamp(x, -1.0, 1.0) * 511.0 + 511.5);
+    };
+    return component(unit.x) | component(unit.y) << 10U | component(unit.z) << 20U;
+}
+
+std::vector<terrain::ConvexCrease> SeedSites::creasesNear(const DAabb& ground, DAabb cell) const
+{
+    // More than the reach, so that rounding of the ends turns no blade.
+    cell.low -= 2.0 * creases_.reach();
+    cell.high += 2.0 * creases_.reach();
+    std::vector<terrain::ConvexCrease> found;
+    for (const std::size_t index : creases_.near(ground)) {
+        terrain::ConvexCrease crease = creases_[index];
+        if (cutToBox(crease, cell))
+            found.push_back(crease);
+    }
+    return found;
+}
+
+std::int32_t SeedSites::moistureOf(std::uint32_t triangle, glm::dvec3 place) const
+{
+    if (settings_.meadow.wideVariation <= 0.0)
+        return 0;
+    const double moisture =
+        WideVariation::moistureOfGround(ground_, settings_, scale_, rays_, triangle, place);
+    return static_cast<std::int32_t>(
+        std::floor(std::ldexp(std::clamp(moisture, -2.0, 2.0), 14) + 0.5));
+}
+
+} // namespace sward::bake

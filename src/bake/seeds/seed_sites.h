@@ -1,0 +1,83 @@
+#pragma once
+
+#include "bake/blades/path_edges.h"
+#include "bake/filter/crease_blend.h"
+#include "bake/filter/exposure.h"
+#include "bake/filter/root_filter.h"
+#include "bake/ground/root_sample.h"
+#include "bake/settings/settings.h"
+#include "field/seeds/seeds.h"
+#include "shaders/shared/sow/seeds.h"
+#include "terrain/ground_mesh.h"
+#include "terrain/query/surface_query.h"
+#include "terrain/topology/surface_features.h"
+
+#include <glm/vec3.hpp>
+
+#include <cstdint>
+#include <optional>
+#include <unordered_set>
+#include <vector>
+
+namespace sward::bake {
+
+/// What rays find at a place.
+struct SeedRays {
+    Surroundings around;
+    double room = 1.0;      ///< [0, 1] free height, in largest heights of a blade
+    bool isBlocked = false; ///< an obstacle: nothing grows
+};
+
+/// What seeds say of places: the results of masks, filters and rays, as BladeGrower uses them.
+/// Thread-safe.
+class SeedSites {
+public:
+    /// All arguments must outlive it. `rays` may be null unless needsRays().
+    SeedSites(const terrain::GroundMesh& ground, const BakeSettings& settings, double scale,
+              const field::SeedMeadow& meadow, const RootFilter& filter,
+              const terrain::SurfaceQuery* rays, const terrain::SurfaceFeatures& features);
+
+    SeedRays raysAt(const RootSample& root) const;
+    shared::SeedConditions at(const RootSample& root, const SeedRays& rays) const;
+
+    /// Whether a root grows in a plain bake: masks and filters against its chance, then obstacles.
+    bool grows(const RootSample& root) const;
+
+    /// Whether conditions may vary inside of this triangle in a way that its corners do not tell.
+    bool varies(std::uint32_t triangle) const;
+
+    /// The up-vector at a root far from creases, packed.
+    std::uint32_t upAt(const RootSample& root) const;
+
+    /// Packs a unit vector as shared::SeedVertex::up.
+    static std::uint32_t pack(glm::dvec3 unit);
+
+    /// The creases that may turn blades which grow both in the box `ground` and in the box `cell`,
+    /// cut off where they cannot.
+    std::vector<terrain::ConvexCrease> creasesNear(const DAabb& ground, DAabb cell) const;
+
+    /// Moisture of the ground at a clump's centre, as shared::SeedClump.
+    std::int32_t moistureOf(std::uint32_t triangle, glm::dvec3 place) const;
+
+private:
+    void markBare();
+    bool isNearBare(std::uint32_t triangle) const;
+
+    const terrain::GroundMesh& ground_;
+    const BakeSettings& settings_;
+    const field::SeedMeadow& meadow_;
+    const RootFilter& filter_;
+    const terrain::SurfaceQuery* rays_;
+    double scale_;
+    bool colorsAreMask_;
+    bool fitsOverhangs_;
+    bool filtersVary_;
+    std::vector<glm::vec3> baseColors_;
+    PathEdges paths_;
+    CreaseBlend creases_;
+    std::optional<Exposure> sky_;
+    std::unordered_set<std::uint64_t> bare_; ///< cells of 2 m near bare triangles
+    bool isAllNearBare_ = false;
+};
+
+} // namespace sward::bake

@@ -1,0 +1,94 @@
+#pragma once
+
+#include "field/field.h"
+#include "field/seeds/seeds.h"
+
+#include <glm/vec3.hpp>
+
+#include <array>
+#include <cstdint>
+#include <limits>
+#include <span>
+#include <vector>
+
+namespace sward::field {
+
+/// Which blades are sown: those whose roots lie in [low, high) and within `radius` of `centre`, and
+/// whose ranks are below `share`. Places are relative to the field's origin [m].
+struct SowRegion {
+    /// No bound.
+    static constexpr double unbounded = std::numeric_limits<double>::infinity();
+
+    glm::dvec3 low{-unbounded}; ///< inclusive
+    glm::dvec3 high{unbounded}; ///< exclusive
+    glm::dvec3 centre{0.0};     ///< of a ball
+    double radius = unbounded;  ///< of that ball
+    float share = 1.0f;         ///< [0, 1]
+
+    bool holds(glm::dvec3 place) const; ///< but for the share
+    bool
+    mayTouch(const std::array<std::int32_t, 3>& cell) const; ///< may be true of one that is not
+};
+
+/// Blades of one octree cell of 32 m / 2^level whose ranks belong to that level, at most
+/// shared::maxPatchBlades. A cell with more has several such parts, in order of rank.
+struct SownPatch {
+    std::uint32_t level = 0;
+    std::array<std::uint32_t, 3> place{}; ///< of the octree cell in the 32 m cell
+    std::uint32_t first = 0;              ///< blade
+    std::uint32_t count = 0;              ///< blades, ribbons included
+    float rankLow = 0.0f;                 ///< rank of its first stalk
+    float rankHigh = 0.0f;                ///< rank of its last stalk
+};
+
+/// What grows in a 32 m cell.
+struct SownCell {
+    std::array<std::int32_t, 3> cell{};
+    std::vector<SownPatch> patches; ///< by level, then by Morton order, then by rank
+    UninitializedVector<shared::PackedBlade> blades;
+    UninitializedVector<BladeKey> keys; ///< one a blade
+};
+
+/// Sows cells on the CPU by the functions of shaders/shared/sow, by which a device sows, too. The
+/// result depends on the cell, the meadow and the region alone. Thread-safe.
+class Sower {
+public:
+    /// `meadow` and `species` must outlive it. `origin` is that of the field.
+    Sower(const SeedMeadow& meadow, std::span<const Species> species, glm::dvec3 origin);
+
+    SownCell sow(const SeedCell& cell, const SowRegion& region) const;
+
+    /// The patch by which the blades of a sown patch are unpacked; nothing else is filled in.
+    shared::Patch unpackingOf(const SownCell& cell, const SownPatch& patch) const;
+
+    /// As the shaders read it.
+    const shared::SowMeadow& meadow() const { return meadow_; }
+
+    /// Lattices of the slow waves at a cell, as shared::SowWaves.
+    std::vector<shared::SowWave> wavesAt(const std::array<std::int32_t, 3>& cell) const;
+
+    /// Up-vector of the ground at a cell.
+    shared::SowGround groundAt(const std::array<std::int32_t, 3>& cell) const;
+
+    /// As shared::SowTones.
+    std::span<const std::uint32_t> tones() const { return tones_; }
+
+private:
+    struct Ranked;
+    struct Ribbon {
+        float length; ///< in heights of the stalk
+        float width;  ///< in lengths
+    };
+
+    std::vector<Ranked> candidatesOf(const SeedCell& cell, const SowRegion& region) const;
+
+    shared::SowMeadow meadow_ = {};
+    double scale_;
+    glm::dvec3 origin_;
+    glm::dvec3 up_; ///< as SeedMeadow::up
+    bool isRadial_;
+    std::vector<std::uint32_t> tones_;
+    std::vector<std::vector<Ribbon>> ribbons_; ///< of each species, in order
+};
+
+} // namespace sward::field

@@ -1,0 +1,100 @@
+"""Seeds by the command line: `sward bake --seeds` and `sward grow`."""
+
+import json
+import unittest
+
+import numpy
+
+from support import INPUT, IO, UNSUPPORTED, USAGE, CliTest
+
+# 40 m of hills; without rays and filters, a bake and its seeds agree blade by blade.
+HILLS = ("hills", "--density", 60, "--sky-rays", 0, "--slope", "0:180", "--seed", 9)
+
+
+class Grow(CliTest):
+    def seeded(self, *options, to="seeded.sward"):
+        return self.bake(*HILLS, "--seeds", "always", *options, to=to)
+
+    def grow(self, field, *options, to="grown.sward"):
+        self.sward("grow", field, "-o", to, "-q", "--force", *options)
+        return self.folder / to
+
+    def roots(self, field):
+        self.sward("export", field, "-o", "f.csv", "-q", "--force")
+        return numpy.genfromtxt(self.folder / "f.csv", delimiter=",", skip_header=1, usecols=(0, 1, 2, 3))
+
+    def test_the_blades_are_those_of_a_plain_bake(self):
+        grown = self.grow(self.seeded())
+        self.sward("validate", grown)
+        told = self.sward("compare", self.bake(*HILLS, to="plain.sward"), grown, "--match", "id",
+                          code=7).stdout
+        self.assertRegex(told, r"only in A +0\n")
+        self.assertRegex(told, r"only in B +0\n")
+        # Single precision decides anew which of two clumps is nearer.
+        self.assertRegex(told, r"blades of different traits +\d\n")
+
+    def test_growing_twice_gives_the_same_bytes(self):
+        seeded = self.seeded()
+        once = self.grow(seeded, "--threads", 1, to="a.sward").read_bytes()
+        self.assertEqual(once, self.grow(seeded, "--threads", 3, to="b.sward").read_bytes())
+        self.assertEqual(seeded.read_bytes(), self.seeded("--threads", 1, to="again.sward").read_bytes())
+
+    def test_regions_share_out_the_blades(self):
+        seeded = self.seeded()
+        whole = self.roots(self.grow(seeded))
+        parts = [self.roots(self.grow(seeded, f"--region={region}"))
+                 for region in ("-100:1.5,-100:100", "1.5:100,-100:-4", "1.5:100,-4:100")]
+        joined = numpy.concatenate(parts)
+        self.assertEqual(len(joined), len(whole))
+        numpy.testing.assert_array_equal(numpy.sort(joined[:, 0]), numpy.sort(whole[:, 0]))
+        near = self.roots(self.grow(seeded, "--around", "3,0,-2,6"))
+        far = numpy.linalg.norm(near[:, 1:] - (3, 0, -2), axis=1)
+        self.assertLess(far.max(), 6.001)
+        inside = numpy.linalg.norm(whole[:, 1:] - (3, 0, -2), axis=1) < 5.999
+        self.assertGreaterEqual(len(near), inside.sum())
+
+    def test_every_share_is_evenly_spread(self):
+        seeded = self.bake("plane", "--density", 800, "--sky-rays", 0, "--blade-scale", 1, "--set",
+                           "species.*.share=1", "--meadow", "grass", "--seeds", "always")
+        for share in (1.0, 0.25, 0.0625):
+            roots = self.roots(self.grow(seeded, "--share", share))
+            low, high = roots[:, (1, 3)].min(axis=0), roots[:, (1, 3)].max(axis=0)
+            cells = int(numpy.sqrt(len(roots) / 16))
+            counts = numpy.histogram2d(roots[:, 1], roots[:, 3], bins=cells,
+                                       range=[(low[0], high[0]), (low[1], high[1])])[0]
+            # Of independent roots it would be 1.
+            with self.subTest(share=share, roots=len(roots)):
+                self.assertGreater(len(roots), 300)
+                self.assertLess(counts.var() / counts.mean(), 0.8)
+
+    def test_programs_tell_of_seeds(self):
+        told = self.sward("bake", *HILLS, "-o", "f.sward", "--seeds", "always", "--budget", 5000, "--report",
+                          "r.json").stdout
+        self.assertIn("seeds of", told)
+        report = json.loads((self.folder / "r.json").read_text())
+        self.assertGreater(report["seeds"]["cells"], 3)
+        self.assertIn("seeds", self.sward("info", "f.sward").stdout)
+        told = json.loads(self.sward("info", "f.sward", "--json").stdout)
+        self.assertEqual(told["seeds"]["cells"], report["seeds"]["cells"])
+        self.assertLess(told["blades"] + told["ribbons"], 5200)
+        self.sward("validate", "f.sward")
+
+    def test_what_cannot_be_done_is_refused(self):
+        self.refused("bake", *HILLS, "-o", "f.sward", "--seeds", "maybe", code=USAGE, names=["--seeds", "maybe"])
+        self.refused("bake", "hills", "-o", "f.sward", "--count", 10, "--seeds", "always", code=USAGE,
+                     names=["--seeds", "--count"])
+        self.refused("bake", "hills", "--dry-run", "--seeds", "always", code=USAGE, names=["--dry-run", "--seeds"])
+        plain = self.bake("hills", "--density", 1)
+        self.refused("grow", plain, "-o", "g.sward", code=USAGE, names=[str(plain), "seeds"])
+        seeded = self.seeded()
+        for option, value in (("--region", "0:1"), ("--region", "0:1,b:2"), ("--around", "1,2,3"),
+                              ("--around", "1,2,3,-4"), ("--share", "2")):
+            self.refused("grow", seeded, "-o", "g.sward", f"{option}={value}", code=USAGE, names=[option])
+        self.refused("grow", seeded, "-o", "g.sward", "--max-blades", 10, code=INPUT, names=["--max-blades"])
+        self.refused("edit", "hills", "--field", seeded, code=UNSUPPORTED, names=["seeds"])
+        self.refused("grow", "no.sward", "-o", "g.sward", code=IO, names=["no.sward"])
+        self.refused("grow", seeded, "-o", seeded, "--force", code=USAGE, names=["seeded.sward"])
+
+
+if __name__ == "__main__":
+    unittest.main()
