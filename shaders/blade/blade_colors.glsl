@@ -47,8 +47,9 @@ BladeSurface bladeSurface(DrawnBlade drawn, VisibleBlade visible, LeafAreaLimit 
     surface.tip = vec4(colors.tip, risen * sunSeen(FRAME.shadow, drawn.ribbon.v2, blade.up));
     const vec3 heights = vec3(dot(drawn.ribbon.v0 - blade.root, blade.up), dot(drawn.ribbon.v1 - blade.root, blade.up),
                               dot(drawn.ribbon.v2 - blade.root, blade.up));
+    const float missing = leavesPerDrawn(FRAME.view, distance(blade.root, FRAME.view.eye));
     surface.material = vec4(packedLook(vec3(blade.exposure, species.translucency, species.gloss)),
-                            leavesAround(FRAME.cover, leafArea),
+                            leavesAround(leafArea / missing, FRAME.cover.thinned * missing),
                             packedHeights(heightStepsPerMetre(FRAME.cover, grass) / heightFactorOf(visible) * heights),
                             packedFinish(finishOf(species), visible.pixels * drawn.ribbon.width / blade.height));
     return limit.light < 1.0 ? liftedSurface(surface, limit.light) : surface;

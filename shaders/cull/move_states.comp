@@ -32,6 +32,7 @@ void main()
             continue;
         }
         push.times.at[i] = patch_.from == noPatch ? push.settledAt : push.patchTimes.at[patch_.from];
-        push.counts.at[i] = patch_.keepsCount != 0u ? push.patchCounts.at[patch_.from] : maxPatchBlades;
+        push.counts.at[i] = patch_.keepsCount == countsSame ? push.patchCounts.at[patch_.from] :
+                            patch_.keepsCount == countsNone ? 0u : maxPatchBlades;
     }
 }

@@ -7,6 +7,7 @@
 #include "shaders/shared/ground.h"
 #include "shaders/shared/look/ground_detail.h"
 #include "shaders/shared/noise.h"
+#include "shaders/shared/visibility.h"
 
 /// A place of the ground.
 struct GroundPoint {
@@ -135,7 +136,7 @@ vec4 groundPicture(GroundPoint point)
                                         1.5 * FRAME.cover.sward) +
                        FRAME.sunColor * (facing * seen * below);
     vec3 color = brightness * albedo * light;
-    const float sward = closed > 0.0 ? swardShare(FRAME.cover, leafArea) * (ragged / closed) : 0.0;
+    const float sward = closed > 0.0 ? swardShare(FRAME.cover, leafArea, FRAME.cover.thinned * leavesPerDrawn(FRAME.view, distance)) * (ragged / closed) : 0.0;
     if (sward > 0.0) {
         const vec3 open = hemisphere(n) + FRAME.sunColor * (even * seen);
         color = mix(color, brightness * swardBrightness(max(dot(n, toEye), 0.0)) * shade * FRAME.cover.sward * open, sward);

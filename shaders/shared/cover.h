@@ -37,9 +37,9 @@ SHARED_LAYOUT(Cover, 112)
 /// second.
 SHARED_CONST uint toneBits = 0x80038000u;
 
-/// A corner of the grid: the leaf area index, m² of blade (one side) per m² of ground; and its means
-/// over the leaves of their blades' height, relative to the field's, and of clumpTone() [0, 1],
-/// within 1/30.
+/// A corner of the grid: the leaf area index, m² of blade (one side) per m² of ground; and its
+/// means over the leaves of their blades' height, relative to the field's, and of clumpTone() [0,
+/// 1], within 1/30.
 SHARED_FN uint packGrass(float leafArea, float height, float tone)
 {
     const uint halves = packHalf2x16(vec2(leafArea, leafArea * height)) + 0x20000u;
@@ -142,10 +142,11 @@ SHARED_FN vec3 groundUnder(Cover cover, vec3 bare, vec3 shade, float leafArea)
 }
 
 /// Share of the ground that stands for missing blades and looks as the sward does from above. 0
-/// where no blade was left out. `leafArea` of the meadow.
-SHARED_FN float swardShare(Cover cover, float leafArea)
+/// where no blade was left out. `leafArea` of the meadow; `thinned`: relative to that of the
+/// blades.
+SHARED_FN float swardShare(Cover cover, float leafArea, float thinned)
 {
-    return cover.thatch * (undergrowthBelow(leafArea) - undergrowthBelow(leafArea / cover.thinned));
+    return cover.thatch * (undergrowthBelow(leafArea) - undergrowthBelow(leafArea / thinned));
 }
 
 /// Brightness of the sward, seen at this cosine from the ground's normal, relative to its leaves in
@@ -157,9 +158,9 @@ SHARED_FN float swardBrightness(float cosine)
 
 /// Leaf area that shades a blade of a thinned meadow, from that of the blades. Eyes see deeper into
 /// fewer blades, where less light is left. Fitted with a tenth of the leaf area.
-SHARED_FN float leavesAround(Cover cover, float leafArea)
+SHARED_FN float leavesAround(float leafArea, float thinned)
 {
-    return leafArea * max(pow(cover.thinned, -0.22f), 0.6f);
+    return leafArea * max(pow(thinned, -0.22f), 0.6f);
 }
 
 /// The share of a blade's height, from the tip down, that contains this share of its leaf area:

@@ -22,9 +22,14 @@ SHARED_CONST uint noSource = 0xffffffffu;
 struct PatchSource {
     uint patchIndex;
     uint from;       ///< the patch whose time it takes over; noPatch: it is settled
-    uint keepsCount; ///< 1: it is the same patch; 0: every blade has a state, or is unsettled
+    uint keepsCount; ///< countsAll, countsSame or countsNone
 };
 SHARED_LAYOUT(PatchSource, 12)
+
+// Blades of a patch that have been moved.
+SHARED_CONST uint countsAll = 0u;  ///< every blade has a state, or is unsettled
+SHARED_CONST uint countsSame = 1u; ///< it is the same patch
+SHARED_CONST uint countsNone = 2u; ///< none has a state
 
 SHARED_BUFFER(BladeSourceArray, BladeSource, readonly)
 SHARED_BUFFER(PatchSourceArray, PatchSource, readonly)

@@ -23,8 +23,10 @@ struct Eyepoint {
     uint cullMask;
     float
         areaFactor; ///< area of the field's blades relative to height times width of their patches
+    float sparseFrom;  ///< [m] beyond this distance less is drawn, see sparseShare(); 0: off
+    float sparseLeast; ///< the least share that sparseShare() leaves
 };
-SHARED_LAYOUT(Eyepoint, 156)
+SHARED_LAYOUT(Eyepoint, 164)
 
 SHARED_END
 #endif

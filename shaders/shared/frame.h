@@ -138,7 +138,7 @@ struct Frame {
 
     uint tick;             ///< time of the frame, see ticksPerSecond
     FloorPlane floorPlane; ///< below the viewer's ground
-    uint reserved[38];     ///< padding: consecutive frames meet any offset alignment of constants
+    uint reserved[36];     ///< padding: consecutive frames meet any offset alignment of constants
 };
 SHARED_LAYOUT(Frame, 2048)
 

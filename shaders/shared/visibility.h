@@ -22,13 +22,38 @@ struct Verdict {
     float margin;      ///< [m] maximum distance of the blade from its curve
 };
 
+/// Factor on the `share` that level of detail draws at `distance` [m], for a field that is sown as
+/// far as memory allows (decision 0045): it falls with the distance to the power of 1.5 beyond
+/// Eyepoint::sparseFrom, but what is stored is drawn everywhere. Drawn blades are widened for the
+/// root of it only; the ground stands for the other leaves, see leavesPerDrawn().
+SHARED_FN float sparseShare(Eyepoint view, float share, float distance)
+{
+    if (view.sparseFrom <= 0.0f || distance <= view.sparseFrom)
+        return 1.0f;
+    const float nearness = view.sparseFrom / distance;
+    return max(nearness * sqrt(nearness), min(view.sparseLeast / share, 1.0f));
+}
+
+/// Leaf area of the meadow relative to that of the drawn blades at `distance` [m], of a sown field:
+/// 1 up to Eyepoint::sparseFrom.
+SHARED_FN float leavesPerDrawn(Eyepoint view, float distance)
+{
+    if (view.sparseFrom <= 0.0f || distance <= view.sparseFrom || view.lodThreshold <= 0.0f)
+        return 1.0f;
+    const float share =
+        lodShare(view.lodWidth * view.pixelsPerUnit / max(distance, 1e-6f), view.lodThreshold);
+    return 1.0f / sqrt(sparseShare(view, share, distance));
+}
+
 /// Share of the blades that is drawn at `distance` [m]: lodFullShare if none is left out or fades,
 /// and always without level of detail.
 SHARED_FN float shareAt(Eyepoint view, float distance)
 {
     if (view.lodThreshold <= 0.0f)
         return lodFullShare;
-    return lodShare(view.lodWidth * view.pixelsPerUnit / max(distance, 1e-6f), view.lodThreshold);
+    const float share =
+        lodShare(view.lodWidth * view.pixelsPerUnit / max(distance, 1e-6f), view.lodThreshold);
+    return share * sparseShare(view, share, distance);
 }
 
 /// Width of a patch's blades [m]: the middle of its range.
@@ -127,8 +152,8 @@ SHARED_FN DrawnSize drawnSize(Eyepoint view, LeafAreaLimit limit, Blade blade, f
     // Widened blades reach a layer's area with fewer blades, in proportion.
     const float share = shareAt(view, distance);
     DrawnSize size;
-    size.widthFactor =
-        lodWidthFactor(rank, share) * leafAreaWeight(rank / min(share, 1.0f), limit.share);
+    size.widthFactor = lodWidthFactor(rank, share) / leavesPerDrawn(view, distance) *
+                       leafAreaWeight(rank / min(share, 1.0f), limit.share);
     size.pixels = blade.height * view.pixelsPerUnit / max(distance, 1e-6f);
     return size;
 }
@@ -155,7 +180,7 @@ SHARED_FN float patchMargin(Eyepoint view, Patch cell, float widest)
     const vec3 size = cell.boundsHigh - cell.boundsLow;
     const float highest = 0.5f * min(size.x, min(size.y, size.z));
     // lodWidthFactor() is at most 1/(0.95 share).
-    return 0.5f * outlineMost * widest / (0.95f * share) +
+    return 0.5f * outlineMost * widest / (0.95f * share * leavesPerDrawn(view, length(farthest))) +
            sectionMargin(length(farthest), view.minWidth) +
            (view.maxLeafArea > 0.0f ? (maxHeightCompensation - 1.0f) * highest : 0.0f);
 }

@@ -184,13 +184,16 @@ void Grass::Parts::requireDevice(const ResidentField::Parts& field) const
 }
 
 /// The field is on the same device. A streamed field holds what the views of one Grass see, in
-/// slots of its own; so does an editable one with the edits that one Grass records.
+/// slots of its own; so do a sown one and an editable one with the edits that one Grass records.
 void Grass::Parts::take(const ResidentField::Parts& field) const
 {
     requireDevice(field);
-    if (field.field.streaming == nullptr && field.field.edits == nullptr)
+    if (field.field.streaming == nullptr && field.field.edits == nullptr &&
+        field.field.sowing == nullptr)
         return;
-    const char* const kind = field.field.streaming ? "streamed" : "editable";
+    const char* const kind = field.field.streaming ? "streamed"
+                             : field.field.sowing  ? "sown"
+                                                   : "editable";
     if (field.budget.framesInFlight < settings.framesInFlight)
         fail(ErrorKind::usage, "the field is {} for {} frames in flight; the grass has {}", kind,
              field.budget.framesInFlight, settings.framesInFlight);

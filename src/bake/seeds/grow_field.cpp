@@ -4,6 +4,7 @@
 #include "bake/settings/threads.h"
 #include "core/error.h"
 #include "core/math/spread_bits.h"
+#include "field/seeds/sow_unit.h"
 
 #include <glm/common.hpp>
 #include <tbb/parallel_for.h>
@@ -140,21 +141,6 @@ private:
         }
     }
 
-    // Length of a ribbon with its variation, as BladeGrower says.
-    float ribbonLength(const shared::Blade& blade) const
-    {
-        std::uint32_t number = blade.clump;
-        for (const field::Organ& organ : species_[blade.species].organs) {
-            if (number > organ.count) {
-                number -= organ.count;
-                continue;
-            }
-            return blade.height * std::max(organ.length.x, organ.length.y) *
-                   (1.0f + 0.3f * organ.variation);
-        }
-        return 0.0f;
-    }
-
     // Bounds and cones, from the leaves upwards.
     void describe()
     {
@@ -163,13 +149,9 @@ private:
         for (std::size_t i = tree_.patches.size(); i-- > 0;) {
             shared::Patch& patch = tree_.patches[i];
             grown.clear();
-            for (std::uint32_t b = 0; b < patch.bladeCount; ++b) {
-                const shared::PackedBlade& bits = tree_.blades[patch.firstBlade + b];
-                const shared::Blade blade = shared::unpackBlade(bits, patch);
-                const bool isRibbon = !species_[blade.species].organs.empty() && blade.clump > 0;
-                grown.push_back(
-                    {blade, bits.rootZUp >> 16U, isRibbon ? ribbonLength(blade) : 0.0f});
-            }
+            field::addGrown(species_,
+                            std::span(tree_.blades).subspan(patch.firstBlade, patch.bladeCount),
+                            patch, grown);
             subtrees[i].addOwn(grown);
             tree_.summary = subtrees[i].finish(patch);
             subtrees[i] = {};

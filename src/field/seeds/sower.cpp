@@ -4,12 +4,14 @@
 #include "core/math/spread_bits.h"
 #include "core/random.h"
 #include "field/seeds/clump_tones.h"
-#include "field/seeds/near_clumps.h"
 #include "shaders/shared/sow/sown_blade.h"
+
+#include <glm/common.hpp>
 
 #include <algorithm>
 #include <cmath>
 #include <iterator>
+#include <limits>
 #include <tuple>
 
 namespace sward::field {
@@ -111,17 +113,54 @@ bool SowRegion::holds(glm::dvec3 place) const
     return offset.x * offset.x + offset.y * offset.y + offset.z * offset.z <= radius * radius;
 }
 
-bool SowRegion::mayTouch(const std::array<std::int32_t, 3>& cell) const
+bool SowRegion::isBounded() const
+{
+    for (glm::length_t axis = 0; axis < 3; ++axis)
+        if (low[axis] > -unbounded || high[axis] < unbounded)
+            return true;
+    return radius < unbounded;
+}
+
+bool SowRegion::mayTouch(glm::dvec3 boxLow, glm::dvec3 boxHigh) const
 {
     double squared = 0.0;
     for (glm::length_t axis = 0; axis < 3; ++axis) {
-        const double from = cellSide * double(cell[std::size_t(axis)]);
-        if (from >= high[axis] || from + cellSide <= low[axis])
+        if (boxLow[axis] >= high[axis] || boxHigh[axis] < low[axis])
             return false;
-        const double gap = std::max({from - centre[axis], centre[axis] - from - cellSide, 0.0});
+        const double gap =
+            std::max({boxLow[axis] - centre[axis], centre[axis] - boxHigh[axis], 0.0});
         squared += gap * gap;
     }
     return squared <= radius * radius;
+}
+
+bool SowRegion::mayTouch(const std::array<std::int32_t, 3>& cell) const
+{
+    const glm::dvec3 from =
+        cellSide * glm::dvec3(double(cell[0]), double(cell[1]), double(cell[2]));
+    return mayTouch(from, from + cellSide);
+}
+
+CellSurroundings::CellSurroundings(const SeedCell& cell, const Sower& sower)
+    : waves(sower.wavesAt(cell.cell))
+    , ground(sower.groundAt(cell.cell))
+    , clumps(cell, sower.meadow(), ground, [this] {
+        shared::SowWaves table = {};
+        table.at = waves.data();
+        return table;
+    }())
+{
+    boxes.reserve(cell.pieces.size());
+    for (const shared::SeedPiece& piece : cell.pieces) {
+        Box box{glm::ivec3(std::numeric_limits<int>::max()),
+                glm::ivec3(std::numeric_limits<int>::min())};
+        for (const std::uint32_t corner : piece.corners) {
+            const shared::SeedVertex& vertex = cell.vertices[corner];
+            box.low = glm::min(box.low, glm::ivec3(vertex.x, vertex.y, vertex.z));
+            box.high = glm::max(box.high, glm::ivec3(vertex.x, vertex.y, vertex.z));
+        }
+        boxes.push_back(box);
+    }
 }
 
 // An accepted candidate, in the order in which it is laid out.
@@ -181,7 +220,7 @@ std::vector<shared::SowWave> Sower::wavesAt(const std::array<std::int32_t, 3>& c
     const glm::dvec3 corner =
         origin_ + cellSide * glm::dvec3(double(cell[0]), double(cell[1]), double(cell[2]));
     std::vector<shared::SowWave> waves;
-    const auto add = [&](const double (&lengths)[2], std::uint64_t salt, std::uint64_t number) {
+    const auto add = [&](const double(&lengths)[2], std::uint64_t salt, std::uint64_t number) {
         const std::uint64_t seed = hashBits(meadow_.seed ^ salt, number);
         for (std::uint64_t i = 0; i < 2; ++i)
             waves.push_back(
@@ -209,29 +248,40 @@ shared::SowGround Sower::groundAt(const std::array<std::int32_t, 3>& cell) const
     return ground;
 }
 
-std::vector<Sower::Ranked> Sower::candidatesOf(const SeedCell& cell, const SowRegion& region) const
+std::vector<Sower::Ranked> Sower::candidatesOf(const SeedCell& cell, const CellSurroundings& around,
+                                               const SowRegion& region) const
 {
     const double unit = std::ldexp(1.0, -int(meadow_.unitBits));
     const glm::dvec3 corner =
         cellSide * glm::dvec3(double(cell.cell[0]), double(cell.cell[1]), double(cell.cell[2]));
-    const bool isBounded =
-        region.low.x > -SowRegion::unbounded || region.low.y > -SowRegion::unbounded ||
-        region.low.z > -SowRegion::unbounded || region.high.x < SowRegion::unbounded ||
-        region.high.y < SowRegion::unbounded || region.high.z < SowRegion::unbounded ||
-        region.radius < SowRegion::unbounded;
+    const bool isBounded = region.isBounded();
     std::vector<Ranked> ranked;
     for (std::uint32_t number = 0; number < cell.pieces.size(); ++number) {
         const shared::SeedPiece& piece = cell.pieces[number];
         if (piece.count == 0)
             continue;
+        const CellSurroundings::Box& box = around.boxes[number];
+        if (isBounded && !region.mayTouch(corner + unit * glm::dvec3(box.low),
+                                          corner + unit * glm::dvec3(box.high + 1)))
+            continue;
         const Sequence sequence(cell, piece, meadow_.seed);
         const float rounding = shared::sowRounding(meadow_.seed, piece.source, sequence.back);
         const float perCandidate = shared::sowDivide(1.0f, piece.expected);
-        for (std::uint32_t j = 0; j < piece.count; ++j) {
+        // Ranks rise with the candidates.
+        std::uint32_t first = 0;
+        for (std::uint32_t end = piece.count; region.from > 0.0f && first < end;) {
+            const std::uint32_t middle = first + (end - first) / 2;
+            if (shared::sowRank(shared::sowCandidate(piece, middle), rounding, perCandidate) <
+                region.from)
+                first = middle + 1;
+            else
+                end = middle;
+        }
+        for (std::uint32_t j = first; j < piece.count; ++j) {
             const std::uint32_t candidate = shared::sowCandidate(piece, j);
             const float rank = shared::sowRank(candidate, rounding, perCandidate);
             if (rank >= region.share)
-                break; // ranks rise with the candidates
+                break;
             const shared::SowPoint point = shared::sowPoint(sequence.bits, candidate);
             const glm::ivec3 place =
                 shared::sowPlace(sequence.a, sequence.b, sequence.c, shared::sowWeights(point));
@@ -260,16 +310,19 @@ std::vector<Sower::Ranked> Sower::candidatesOf(const SeedCell& cell, const SowRe
 
 SownCell Sower::sow(const SeedCell& cell, const SowRegion& region) const
 {
-    const std::vector<Ranked> ranked = candidatesOf(cell, region);
-    const std::vector<shared::SowWave> waveList = wavesAt(cell.cell);
+    return sow(cell, CellSurroundings(cell, *this), region);
+}
+
+SownCell Sower::sow(const SeedCell& cell, const CellSurroundings& around,
+                    const SowRegion& region) const
+{
+    const std::vector<Ranked> ranked = candidatesOf(cell, around, region);
     shared::SowWaves waves = {};
-    waves.at = waveList.data();
+    waves.at = around.waves.data();
     shared::SowWords words = {};
     words.at = cell.words.data();
     shared::SowTones tones = {};
     tones.at = tones_.data();
-    const shared::SowGround ground = groundAt(cell.cell);
-    const NearClumps clumps(cell, meadow_, ground, waves);
 
     SownCell result;
     result.cell = cell.cell;
@@ -287,11 +340,11 @@ SownCell Sower::sow(const SeedCell& cell, const SowRegion& region) const
         root.hash = static_cast<std::uint32_t>(shared::sowHash(meadow_.seed + 1, one.key) & 15U);
         root.place = shared::sowPlace(sequence.a, sequence.b, sequence.c, weights);
         root.up = shared::sowUpAt(meadow_, piece, {sequence.a.up, sequence.b.up, sequence.c.up},
-                                  weights, root.place, words, ground);
+                                  weights, root.place, words, around.ground);
         shared::sowEdges(sequence.a, sequence.b, sequence.c, root.first, root.second);
         root.level = static_cast<std::uint32_t>(one.patch >> 56U);
         const shared::SownBlade stalk =
-            shared::sowBlade(meadow_, root, clumps.nearest(root.place, root.own),
+            shared::sowBlade(meadow_, root, around.clumps.nearest(root.place, root.own),
                              conditionsAt(cell, piece, point), waves, tones);
         const std::vector<Ribbon>& ribbons = ribbons_[stalk.species];
 

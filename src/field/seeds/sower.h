@@ -1,6 +1,7 @@
 #pragma once
 
 #include "field/field.h"
+#include "field/seeds/near_clumps.h"
 #include "field/seeds/seeds.h"
 
 #include <glm/vec3.hpp>
@@ -14,7 +15,7 @@
 namespace sward::field {
 
 /// Which blades are sown: those whose roots lie in [low, high) and within `radius` of `centre`, and
-/// whose ranks are below `share`. Places are relative to the field's origin [m].
+/// whose ranks are from `from` to below `share`. Places are relative to the field's origin [m].
 struct SowRegion {
     /// No bound.
     static constexpr double unbounded = std::numeric_limits<double>::infinity();
@@ -23,11 +24,15 @@ struct SowRegion {
     glm::dvec3 high{unbounded}; ///< exclusive
     glm::dvec3 centre{0.0};     ///< of a ball
     double radius = unbounded;  ///< of that ball
+    float from = 0.0f;          ///< [0, 1]
     float share = 1.0f;         ///< [0, 1]
 
-    bool holds(glm::dvec3 place) const; ///< but for the share
-    bool
-    mayTouch(const std::array<std::int32_t, 3>& cell) const; ///< may be true of one that is not
+    bool holds(glm::dvec3 place) const; ///< but for the ranks
+    bool isBounded() const;             ///< holds() may be false
+
+    /// Whether a box, or a 32 m cell, has a place in it, or almost.
+    bool mayTouch(glm::dvec3 boxLow, glm::dvec3 boxHigh) const;
+    bool mayTouch(const std::array<std::int32_t, 3>& cell) const;
 };
 
 /// Blades of one octree cell of 32 m / 2^level whose ranks belong to that level, at most
@@ -49,6 +54,24 @@ struct SownCell {
     UninitializedVector<BladeKey> keys; ///< one a blade
 };
 
+class Sower;
+
+/// What all blades of a 32 m cell share.
+struct CellSurroundings {
+    CellSurroundings(const SeedCell& cell, const Sower& sower);
+
+    /// Box of the places of a piece [units].
+    struct Box {
+        glm::ivec3 low;
+        glm::ivec3 high; ///< inclusive
+    };
+
+    std::vector<shared::SowWave> waves; ///< Sower::wavesAt()
+    shared::SowGround ground;           ///< Sower::groundAt()
+    NearClumps clumps;
+    std::vector<Box> boxes; ///< of its pieces
+};
+
 /// Sows cells on the CPU by the functions of shaders/shared/sow, by which a device sows, too. The
 /// result depends on the cell, the meadow and the region alone. Thread-safe.
 class Sower {
@@ -57,6 +80,10 @@ public:
     Sower(const SeedMeadow& meadow, std::span<const Species> species, glm::dvec3 origin);
 
     SownCell sow(const SeedCell& cell, const SowRegion& region) const;
+
+    /// The same for several regions of a cell.
+    SownCell sow(const SeedCell& cell, const CellSurroundings& around,
+                 const SowRegion& region) const;
 
     /// The patch by which the blades of a sown patch are unpacked; nothing else is filled in.
     shared::Patch unpackingOf(const SownCell& cell, const SownPatch& patch) const;
@@ -80,7 +107,8 @@ private:
         float width;  ///< in lengths
     };
 
-    std::vector<Ranked> candidatesOf(const SeedCell& cell, const SowRegion& region) const;
+    std::vector<Ranked> candidatesOf(const SeedCell& cell, const CellSurroundings& around,
+                                     const SowRegion& region) const;
 
     shared::SowMeadow meadow_ = {};
     double scale_;

@@ -2,10 +2,9 @@
 
 #include "field/delta.h"
 #include "gpu/context/context.h"
-#include "gpu/memory/buffer.h"
-#include "gpu/pipeline/compute_pipeline.h"
 #include "gpu/pipeline/shader_library.h"
 #include "gpu/recording/recording.h"
+#include "render/edits/staged_edits.h"
 #include "render/field/baked_blades.h"
 #include "render/field/blade_states.h"
 #include "render/field/edited_field.h"
@@ -17,7 +16,6 @@
 #include <cstdint>
 #include <memory>
 #include <span>
-#include <vector>
 
 namespace sward::render {
 
@@ -45,36 +43,12 @@ public:
                 std::span<const BladeStates* const> states, std::uint32_t settledAt,
                 std::uint32_t slot);
 
-    VkDeviceSize bytes() const; ///< of mapped memory
+    VkDeviceSize bytes() const { return staged_.bytes(); } ///< of mapped memory
 
 private:
-    enum class Table { blades, patches, subtrees, entries, firstEntries, cover };
-    struct Copy {
-        Table table = Table::blades;
-        VkBufferCopy region{};
-    };
-    struct Staged {
-        gpu::Buffer bytes;
-        std::vector<Copy> copies;
-        VkDeviceSize sources = 0; ///< offsets of what the shader reads and writes
-        VkDeviceSize patches = 0;
-        VkDeviceSize times = 0;
-        std::uint32_t sourceCount = 0;
-        std::uint32_t patchCount = 0;
-    };
-    gpu::Buffer staging(VkDeviceSize bytes);
-    Staged stage(const Edit& edit, PlaceRange coverCorners);
-    void recordStates(const gpu::Recording& commands, const BladeStates& states,
-                      const Staged& staged, std::uint32_t settledAt, bool isSecond) const;
-    const gpu::Buffer& bufferOf(Table table, const BakedBlades& baked) const;
-
-    const gpu::DeviceContext* context_;
-    gpu::ComputePipeline states_;
     std::unique_ptr<EditedField> edited_;
     GrassCover* cover_;
-    std::vector<Staged> waiting_;
-    std::vector<std::vector<gpu::Buffer>> slots_; ///< mapped memory that their frames may read
-    std::vector<gpu::Buffer> spare_;              ///< mapped memory that is not in use
+    StagedEdits staged_;
 };
 
 /// Extends a field's content to the blades of an edit. A field that was bare gets the size of its

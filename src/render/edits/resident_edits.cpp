@@ -25,7 +25,7 @@ void ResidentEdits::begin()
 {
     if (!isBehind_)
         return;
-    field_.blades.update(*context_, edits_.field(), replaced_.waiting());
+    field_.blades.update(*context_, edits_.field().tables(), replaced_.waiting());
     followEdit(field_.shape, edits_.field());
     isBehind_ = false;
 }

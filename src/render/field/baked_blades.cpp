@@ -2,7 +2,6 @@
 
 #include "core/error.h"
 #include "gpu/pipeline/compute_pipeline.h"
-#include "render/field/edited_field.h"
 #include "shaders/shared/pages.h"
 #include "shaders/shared/passes.h"
 
@@ -91,40 +90,40 @@ BakedBlades::BakedBlades(const gpu::DeviceContext& context, gpu::BufferUpload& u
 }
 
 BakedBlades::BakedBlades(const gpu::DeviceContext& context, gpu::BufferUpload& upload,
-                         const field::FieldView& field, const EditedField& edited)
+                         const field::FieldView& field, const FieldTables& tables,
+                         std::span<const shared::PackedBlade> placed)
     : isEditable_(true)
-    , patchSizes_(edited.sizes())
+    , patchSizes_(*tables.sizes)
 {
-    count(edited);
+    count(tables);
     blades_ = allocate(context, "field/blades", placeCount_ * sizeof(shared::PackedBlade));
-    patches_ = allocate(context, "field/patches", edited.patches().size_bytes());
-    nonEmptyPatches_ = allocate(context, "field/nonEmptyPatches", edited.entries().size_bytes());
+    patches_ = allocate(context, "field/patches", tables.patches.size_bytes());
+    nonEmptyPatches_ = allocate(context, "field/nonEmptyPatches", tables.entries.size_bytes());
     firstNonEmptyPatches_ =
-        allocate(context, "field/first nonEmptyPatches", edited.firstEntries().size_bytes());
+        allocate(context, "field/first nonEmptyPatches", tables.firstEntries.size_bytes());
     describeField(context, upload, field);
-    const std::vector<shared::PackedBlade> placed = edited.placed(field);
-    upload.toBuffer(blades_, std::span<const shared::PackedBlade>(placed));
-    upload.toBuffer(patches_, edited.patches());
-    upload.toBuffer(nonEmptyPatches_, edited.entries());
-    upload.toBuffer(firstNonEmptyPatches_, edited.firstEntries());
-    tree_.emplace(context, upload, edited);
+    upload.toBuffer(blades_, placed);
+    upload.toBuffer(patches_, tables.patches);
+    upload.toBuffer(nonEmptyPatches_, tables.entries);
+    upload.toBuffer(firstNonEmptyPatches_, tables.firstEntries);
+    tree_.emplace(context, upload, tables);
     bytes_ += tree_->bytes();
 }
 
-void BakedBlades::count(const EditedField& edited)
+void BakedBlades::count(const FieldTables& tables)
 {
-    bladeCount_ = edited.bladeCount();
-    placeCount_ = edited.bladeRoom();
-    patchCount_ = static_cast<std::uint32_t>(edited.patches().size());
-    nonEmptyPatchCount_ = edited.nonEmptyPatchCount();
-    entryCount_ = edited.entryEnd();
-    patchSizes_ = edited.sizes();
+    bladeCount_ = tables.bladeCount;
+    placeCount_ = tables.bladeRoom;
+    patchCount_ = static_cast<std::uint32_t>(tables.patches.size());
+    nonEmptyPatchCount_ = tables.nonEmptyPatches;
+    entryCount_ = tables.entryEnd;
+    patchSizes_ = *tables.sizes;
 }
 
-void BakedBlades::update(const gpu::DeviceContext& context, const EditedField& edited,
+void BakedBlades::update(const gpu::DeviceContext& context, const FieldTables& tables,
                          OutgrownBuffers& outgrown)
 {
-    count(edited);
+    count(tables);
     const auto fit = [&](gpu::Buffer& buffer, const char* name, VkDeviceSize bytes) {
         if (bytes <= buffer.bytes())
             return;
@@ -133,11 +132,11 @@ void BakedBlades::update(const gpu::DeviceContext& context, const EditedField& e
         outgrown.push_back({std::move(former), buffer.get()});
     };
     fit(blades_, "field/blades", placeCount_ * sizeof(shared::PackedBlade));
-    fit(patches_, "field/patches", edited.patches().size_bytes());
-    fit(nonEmptyPatches_, "field/nonEmptyPatches", edited.entries().size_bytes());
-    fit(firstNonEmptyPatches_, "field/first nonEmptyPatches", edited.firstEntries().size_bytes());
+    fit(patches_, "field/patches", tables.patches.size_bytes());
+    fit(nonEmptyPatches_, "field/nonEmptyPatches", tables.entries.size_bytes());
+    fit(firstNonEmptyPatches_, "field/first nonEmptyPatches", tables.firstEntries.size_bytes());
     bytes_ -= tree_->bytes();
-    tree_->update(context, edited, outgrown);
+    tree_->update(context, tables, outgrown);
     bytes_ += tree_->bytes();
 }
 

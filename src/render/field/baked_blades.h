@@ -5,6 +5,7 @@
 #include "gpu/context/context.h"
 #include "gpu/memory/buffer.h"
 #include "gpu/memory/buffer_upload.h"
+#include "render/field/field_tables.h"
 #include "render/field/patch_sizes.h"
 #include "render/field/patch_tree.h"
 #include "shaders/shared/frame.h"
@@ -13,10 +14,9 @@
 
 #include <cstdint>
 #include <optional>
+#include <span>
 
 namespace sward::render {
-
-class EditedField;
 
 /// The baked data of a field's blades in device memory. Only edits change it.
 class BakedBlades {
@@ -27,12 +27,13 @@ public:
                 const field::FieldView& field, std::uint32_t walkStart = shared::walkStart,
                 std::uint32_t pages = 0);
 
-    /// The same of a field that may be edited; blades have the places of `edited`.
+    /// The same of a field whose blades change. `placed`: the blades at their places in `tables`.
     BakedBlades(const gpu::DeviceContext& context, gpu::BufferUpload& upload,
-                const field::FieldView& field, const EditedField& edited);
+                const field::FieldView& field, const FieldTables& tables,
+                std::span<const shared::PackedBlade> placed);
 
-    /// Follows an edit. The caller uploads its bytes.
-    void update(const gpu::DeviceContext& context, const EditedField& edited,
+    /// Follows a change. The caller uploads its bytes.
+    void update(const gpu::DeviceContext& context, const FieldTables& tables,
                 OutgrownBuffers& outgrown);
 
     /// Writes addresses and counts into a frame.
@@ -69,7 +70,7 @@ public:
 private:
     void describeField(const gpu::DeviceContext& context, gpu::BufferUpload& upload,
                        const field::FieldView& field);
-    void count(const EditedField& edited);
+    void count(const FieldTables& tables);
     gpu::Buffer allocate(const gpu::DeviceContext& context, const char* name, VkDeviceSize bytes,
                          bool isFilledByCopyQueue = false);
 

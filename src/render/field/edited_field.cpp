@@ -25,20 +25,6 @@ std::uint32_t stridesOf(std::size_t blades)
     return static_cast<std::uint32_t>((blades + stride - 1) / stride);
 }
 
-/// The same places, none twice.
-std::vector<PlaceRange> united(std::vector<PlaceRange> ranges)
-{
-    std::ranges::sort(ranges, {}, &PlaceRange::first);
-    std::vector<PlaceRange> result;
-    for (const PlaceRange& range : ranges) {
-        if (result.empty() || result.back().end() < range.first)
-            result.push_back(range);
-        else
-            result.back().count = std::max(result.back().end(), range.end()) - result.back().first;
-    }
-    return result;
-}
-
 /// A table of `size` places after it has become too small for `more`.
 std::uint32_t grown(std::uint32_t size, std::uint32_t more)
 {
@@ -330,6 +316,22 @@ std::uint32_t EditedField::bladeRoom() const
 bool EditedField::walksLevels() const
 {
     return !top_.isMixed() && top_.usedEnd() > walkStart_;
+}
+
+FieldTables EditedField::tables() const
+{
+    return {.patches = patches(),
+            .subtrees = subtrees(),
+            .entries = entries(),
+            .firstEntries = firstEntries(),
+            .entryEnd = entryEnd(),
+            .bladeCount = bladeCount(),
+            .bladeRoom = bladeRoom(),
+            .nonEmptyPatches = nonEmptyPatches_,
+            .sizes = &sizes_,
+            .walkStarts = walkStarts(),
+            .walkSteps = walkSteps(),
+            .maxWalkSteps = maxCellLevels + 1};
 }
 
 std::uint32_t EditedField::walkStarts() const

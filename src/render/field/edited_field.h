@@ -3,6 +3,7 @@
 #include "field/cells.h"
 #include "field/delta.h"
 #include "render/field/edit.h"
+#include "render/field/field_tables.h"
 #include "render/field/free_ranges.h"
 #include "render/field/patch_sizes.h"
 #include "render/field/top_tree.h"
@@ -43,6 +44,8 @@ public:
 
     /// Per shared::nonEmptyPatchStride places of blades: the entry where a search begins.
     std::span<const std::uint32_t> firstEntries() const { return firstEntries_; }
+
+    FieldTables tables() const; ///< all of these
 
     std::uint32_t bladeCount() const { return bladeCount_; }
     std::uint32_t bladeRoom() const; ///< places of blades, free ones included

@@ -6,6 +6,19 @@
 
 namespace sward::render {
 
+std::vector<PlaceRange> united(std::vector<PlaceRange> ranges)
+{
+    std::ranges::sort(ranges, {}, &PlaceRange::first);
+    std::vector<PlaceRange> result;
+    for (const PlaceRange& range : ranges) {
+        if (result.empty() || result.back().end() < range.first)
+            result.push_back(range);
+        else
+            result.back().count = std::max(result.back().end(), range.end()) - result.back().first;
+    }
+    return result;
+}
+
 std::optional<PlaceRange> FreeRanges::take(std::uint32_t count)
 {
     expect(count > 0, "a range has places");

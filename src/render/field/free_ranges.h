@@ -5,6 +5,7 @@
 #include <optional>
 #include <set>
 #include <utility>
+#include <vector>
 
 namespace sward::render {
 
@@ -15,6 +16,9 @@ struct PlaceRange {
     std::uint32_t end() const { return first + count; } ///< one past the last
     bool operator==(const PlaceRange&) const = default; ///< same places
 };
+
+/// The same places in rising order, none twice.
+std::vector<PlaceRange> united(std::vector<PlaceRange> ranges);
 
 /// The free places of a table. The smallest range that suffices is taken; neighbours are merged.
 class FreeRanges {

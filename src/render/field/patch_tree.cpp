@@ -1,7 +1,5 @@
 #include "render/field/patch_tree.h"
 
-#include "render/field/edited_field.h"
-
 #include <algorithm>
 #include <utility>
 
@@ -72,23 +70,23 @@ PatchTree::PatchTree(const gpu::DeviceContext& context, gpu::BufferUpload& uploa
 }
 
 PatchTree::PatchTree(const gpu::DeviceContext& context, gpu::BufferUpload& upload,
-                     const EditedField& edited)
-    : steps_(edited.walkSteps())
-    , maxSteps_(EditedField::maxCellLevels + 1)
-    , startCount_(edited.walkStarts())
-    , subtrees_(subtreeBuffer(context, edited.subtrees().size()))
+                     const FieldTables& tables)
+    : steps_(tables.walkSteps)
+    , maxSteps_(tables.maxWalkSteps)
+    , startCount_(tables.walkStarts)
+    , subtrees_(subtreeBuffer(context, tables.subtrees.size()))
 {
-    upload.toBuffer(subtrees_, edited.subtrees());
+    upload.toBuffer(subtrees_, tables.subtrees);
 }
 
-void PatchTree::update(const gpu::DeviceContext& context, const EditedField& edited,
+void PatchTree::update(const gpu::DeviceContext& context, const FieldTables& tables,
                        OutgrownBuffers& outgrown)
 {
-    steps_ = edited.walkSteps();
-    startCount_ = edited.walkStarts();
-    if (edited.subtrees().size_bytes() <= subtrees_.bytes())
+    steps_ = tables.walkSteps;
+    startCount_ = tables.walkStarts;
+    if (tables.subtrees.size_bytes() <= subtrees_.bytes())
         return;
-    gpu::Buffer former = std::exchange(subtrees_, subtreeBuffer(context, edited.subtrees().size()));
+    gpu::Buffer former = std::exchange(subtrees_, subtreeBuffer(context, tables.subtrees.size()));
     outgrown.push_back({std::move(former), subtrees_.get()});
 }
 

@@ -4,6 +4,7 @@
 #include "gpu/context/context.h"
 #include "gpu/memory/buffer.h"
 #include "gpu/memory/buffer_upload.h"
+#include "render/field/field_tables.h"
 #include "render/field/outgrown.h"
 #include "shaders/shared/patch_tree.h"
 
@@ -14,8 +15,6 @@
 #include <vector>
 
 namespace sward::render {
-
-class EditedField;
 
 /// Summary of everything below each node of a patch tree, by patch; parents come before children.
 std::vector<shared::Subtree> subtreesOf(std::span<const shared::Patch> patches);
@@ -29,12 +28,12 @@ public:
     PatchTree(const gpu::DeviceContext& context, gpu::BufferUpload& upload,
               const field::FieldView& field, std::uint32_t start, bool isEmpty = false);
 
-    /// The same of an edited field.
+    /// The same of a field whose blades change.
     PatchTree(const gpu::DeviceContext& context, gpu::BufferUpload& upload,
-              const EditedField& edited);
+              const FieldTables& tables);
 
-    /// Follows an edit. The caller uploads its bytes.
-    void update(const gpu::DeviceContext& context, const EditedField& edited,
+    /// Follows a change. The caller uploads its bytes.
+    void update(const gpu::DeviceContext& context, const FieldTables& tables,
                 OutgrownBuffers& outgrown);
 
     /// Dispatches of one walk: one for the first levels, and one per level below.

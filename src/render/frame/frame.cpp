@@ -179,6 +179,40 @@ shared::Eyepoint testsOf(const FrameSettings& settings)
     return view;
 }
 
+float sparseDistance(const FieldShape& field, float full)
+{
+    constexpr double twoPi = 6.283185307179586;
+    // Whole units come, and grounds are rough: three quarters of what is there is drawn.
+    constexpr double units = 1.35;
+    const glm::vec3 size = field.content.size();
+    const double farthest = glm::length(glm::dvec3(size));
+    const double room = field.sown.room / units;
+    const double near = full;
+    // The integral of 2πr · share(r), up to where only what is stored is drawn. With s the result:
+    // share is 1 up to the smaller of both distances; then in proportion to r⁻¹ beyond `near`, to
+    // r^−1.5 beyond s, and to their product beyond both.
+    const auto blades = [&](double s) {
+        const double last = std::min(
+            std::pow(near * std::pow(s, 1.5) / std::max(field.sown.stored, 1e-9), 0.4), farthest);
+        const double far = std::max({last, s, near});
+        const double power = 2.0 * std::pow(s, 1.5);
+        const double tail =
+            near * power * (1.0 / std::sqrt(std::max(s, near)) - 1.0 / std::sqrt(far));
+        const double head = s < near ? 0.5 * s * s + power * (std::sqrt(near) - std::sqrt(s))
+                                     : 0.5 * near * near + near * (s - near);
+        return twoPi * field.sown.bladesPerArea * (head + tail);
+    };
+    double low = 0.0;
+    double high = std::max(farthest, near);
+    if (blades(high) <= room)
+        return 0.0f;
+    for (int i = 0; i < 40; ++i) {
+        const double middle = 0.5 * (low + high);
+        (blades(middle) <= room ? low : high) = middle;
+    }
+    return static_cast<float>(std::max(low, 1e-3));
+}
+
 shared::Frame frameOf(const FieldShape& field, const ViewMatrices& view,
                       const FrameSettings& settings, double time, std::uint32_t samples)
 {
@@ -195,6 +229,11 @@ shared::Frame frameOf(const FieldShape& field, const ViewMatrices& view,
 
     // Culling.
     frame.view.lodWidth = field.blade.width;
+    if (field.sown.room > 0.0 && frame.view.lodThreshold > 0.0f) {
+        frame.view.sparseFrom = sparseDistance(field, frame.view.lodWidth * view.pixelsPerUnit /
+                                                          frame.view.lodThreshold);
+        frame.view.sparseLeast = static_cast<float>(field.sown.stored);
+    }
     frame.view.minWidth =
         settings.levelOfDetail && view.pixelsPerUnit > 0.0f
             ? settings.minPixels / (view.pixelsPerUnit * std::sqrt(static_cast<float>(samples)))

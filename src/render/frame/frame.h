@@ -11,13 +11,26 @@
 
 namespace sward::render {
 
+/// What the level of detail of a field that is sown depends on (decision 0045).
+struct SownShape {
+    double room = 0.0;          ///< blades that may be in memory at once; 0: it is not sown
+    double bladesPerArea = 0.0; ///< [1/m²] of the closed sward
+    double stored = 1.0;        ///< share of the blades that is always there
+};
+
 /// Properties of a field, besides its buffers, that a frame depends on.
 struct FieldShape {
     glm::dvec3 origin{0.0};
     Aabb content;           ///< relative to the origin
     field::BladeSize blade; ///< typical size
     float exposure = 1.0f;  ///< where the settings leave it open
+    SownShape sown{};
 };
+
+/// Distance [m] up to which a sown field's level of detail is that of a stored one: with less
+/// beyond it, see shared::sparseShare(), what is drawn around an eye on level ground fits into the
+/// room. `full`: distance up to which all blades are drawn [m]. 0: everything fits.
+float sparseDistance(const FieldShape& field, float full);
 
 /// Writes the projection of a frame's picture, for an eye at `eye`.
 void project(shared::Frame& frame, const glm::mat4& viewProjection, glm::vec3 eye);

@@ -13,7 +13,9 @@ BakedBlades bladesOf(const gpu::DeviceContext& context, gpu::BufferUpload& uploa
                      const field::FieldView& field, const DeviceField::Settings& settings)
 {
     if (settings.edited)
-        return {context, upload, field, *settings.edited};
+        return {context, upload, field, settings.edited->tables(), settings.edited->placed(field)};
+    if (settings.sown)
+        return {context, upload, field, settings.sown->tables(), field.blades};
     return {context, upload, field, settings.walkStart, settings.pages};
 }
 
@@ -24,7 +26,7 @@ DeviceField::DeviceField(const gpu::DeviceContext& context, const gpu::ShaderLib
                          Settings settings)
     : cover(std::move(made))
     , blades(bladesOf(context, upload, field, settings))
-    , shape{field.origin, field.bounds(), blades.bladeSize(), settings.exposure}
+    , shape{field.origin, field.bounds(), blades.bladeSize(), settings.exposure, {}}
     , looks(looksOf(field))
 {
     if (settings.boundsRounds)
@@ -32,6 +34,13 @@ DeviceField::DeviceField(const gpu::DeviceContext& context, const gpu::ShaderLib
     if (blades.isPaged())
         streaming =
             std::make_unique<Streaming>(context, shaders, field, blades, settings.streaming);
+    if (settings.sown) {
+        shape.sown = {.room = double(settings.sown->tables().bladeRoom),
+                      .bladesPerArea = bladesPerArea(*field.seeds->meadow),
+                      .stored = field.seeds->meadow->stored};
+        sowing = std::make_unique<Sowing>(context, shaders, field, std::move(settings.sown),
+                                          settings.sowing);
+    }
     if (settings.edited)
         edits = std::make_unique<ResidentEdits>(context, shaders, std::move(settings.edited),
                                                 ResidentEdits::Field{blades, cover, shape},
@@ -49,7 +58,7 @@ void DeviceField::apply(const field::Delta& delta)
 VkDeviceSize DeviceField::bytes() const
 {
     return blades.bytes() + cover.bytes() + (streaming ? streaming->bytes() : 0) +
-           (edits ? edits->bytes() : 0);
+           (edits ? edits->bytes() : 0) + (sowing ? sowing->bytes() : 0);
 }
 
 } // namespace sward::render

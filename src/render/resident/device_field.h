@@ -11,6 +11,8 @@
 #include "render/field/grass_cover.h"
 #include "render/frame/frame.h"
 #include "render/resident/visible_patch_bound.h"
+#include "render/sowing/sowing.h"
+#include "render/sowing/sown_tables.h"
 #include "render/streaming/streaming.h"
 
 #include <vulkan/vulkan.h>
@@ -28,13 +30,16 @@ struct DeviceField {
         std::uint32_t pages = 0;               ///< of blades in memory; 0: all blades are resident
         Streaming::Settings streaming{};       ///< of these pages
         std::unique_ptr<EditedField> edited{}; ///< tables of a field that is to be edited, or null
+        std::unique_ptr<SownTables> sown{};    ///< tables of a field that is sown, or null
+        Sowing::Settings sowing{};             ///< of these tables
         std::uint32_t framesInFlight = 1;      ///< of its edits
         float exposure = 1.0f;                 ///< see FieldShape
         bool boundsRounds = false;             ///< makes `bound`
     };
 
     /// Begins the upload; it is complete when `upload` is. `made`: of the same field and upload.
-    /// The context must outlive it; with pages also what `field` views. Throws Error{runtime} for
+    /// The context must outlive it; with pages or seeds to sow
+    /// also what `field` views. Throws Error{runtime} for
     /// lack of memory.
     DeviceField(const gpu::DeviceContext& context, const gpu::ShaderLibrary& shaders,
                 gpu::BufferUpload& upload, const field::FieldView& field, GrassCover made,
@@ -55,6 +60,7 @@ struct DeviceField {
     std::optional<VisiblePatchBound> bound;
     std::unique_ptr<Streaming> streaming; ///< if not all blades are resident
     std::unique_ptr<ResidentEdits> edits; ///< if it is editable
+    std::unique_ptr<Sowing> sowing;       ///< if it is sown
 };
 
 } // namespace sward::render

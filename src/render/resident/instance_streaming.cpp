@@ -10,9 +10,10 @@ void InstanceStreaming::findFields(std::span<const PlacedField* const> instances
 {
     fields_.clear();
     for (const PlacedField* instance : instances)
-        if (instance != nullptr && instance->streaming() != nullptr &&
-            std::ranges::find(fields_, instance->streaming()) == fields_.end())
-            fields_.push_back(instance->streaming());
+        if (instance != nullptr &&
+            (instance->streaming() != nullptr || instance->sowing() != nullptr) &&
+            std::ranges::find(fields_, &instance->field()) == fields_.end())
+            fields_.push_back(&instance->field());
 }
 
 void InstanceStreaming::record(const gpu::Recording& commands, std::uint32_t slot,
@@ -20,28 +21,34 @@ void InstanceStreaming::record(const gpu::Recording& commands, std::uint32_t slo
 {
     findFields(instances);
     bool hasRecorded = false;
-    for (Streaming* field : fields_) {
+    for (const DeviceField* const field : fields_) {
         seen_.clear();
         states_.clear();
         for (const PlacedField* instance : instances) {
-            if (instance == nullptr || instance->streaming() != field)
+            if (instance == nullptr || &instance->field() != field)
                 continue;
             seen_.insert(seen_.end(), instance->seen().begin(), instance->seen().end());
             states_.push_back(&instance->states());
         }
         if (seen_.empty())
             continue;
-        field->choose(seen_, slot);
+        if (field->streaming)
+            field->streaming->choose(seen_, slot);
+        else
+            field->sowing->choose(seen_);
 
         std::size_t first = 0;
         for (PlacedField* const instance : instances) {
-            if (instance == nullptr || instance->streaming() != field)
+            if (instance == nullptr || &instance->field() != field)
                 continue;
             const std::size_t views = instance->seen().size();
             instance->thin(slot, std::span(seen_).subspan(first, views));
             first += views;
         }
-        field->record(commands, slot, settledAt, states_);
+        if (field->streaming)
+            field->streaming->record(commands, slot, settledAt, states_);
+        else
+            field->sowing->record(commands, field->blades, states_, settledAt, slot);
         hasRecorded = true;
     }
     if (hasRecorded)
@@ -52,8 +59,9 @@ StreamingStats InstanceStreaming::stats(std::span<const PlacedField* const> inst
 {
     findFields(instances);
     StreamingStats sum;
-    for (Streaming* field : fields_) {
-        const StreamingStats own = field->stats();
+    for (const DeviceField* const field : fields_) {
+        const StreamingStats own =
+            field->streaming ? field->streaming->stats() : field->sowing->stats();
         sum.pages += own.pages;
         sum.places += own.places;
         sum.residentPages += own.residentPages;

@@ -54,6 +54,7 @@ PlacedField::PlacedField(const gpu::DeviceContext& context, const DeviceField& f
     , replaced_(settings.framesInFlight)
     , constants_(context, constantsOf(settings))
     , bladesOfSlot_(settings.framesInFlight, field.blades.bladeCount())
+    , residentOfSlot_(settings.framesInFlight, 0)
 {
     if (settings.keepsCullResults)
         cullResults_ = cullResultsOf(context, field.blades);
@@ -76,7 +77,7 @@ void PlacedField::write(std::uint32_t slot, const InstanceFrame& frame, std::uin
         hasNewEtas_ = true;
     }
     std::ranges::fill(constants_.counts(slot).mapped(), std::byte{0});
-    bladesOfSlot_[slot] = blades().bladeCount();
+    bladesOfSlot_[slot] = sowing() != nullptr ? sowing()->allBlades() : blades().bladeCount();
 
     // Shared by all views.
     const FrameSettings& settings = frame.settings;
@@ -185,17 +186,21 @@ std::uint32_t PlacedField::roundCount(std::uint32_t view) const
     const VisibleBlades& list = lists_[view];
     if (list.roundCount() == 1)
         return 1;
-    expect(field_->bound.has_value(), "lists of several rounds have a bound");
+    expect(field_->bound || sowing() != nullptr, "lists of several rounds have a bound");
     const std::uint64_t resident =
         streaming() != nullptr ? streaming()->residentPatches() : blades().nonEmptyPatchCount();
-    const std::uint64_t visible =
-        std::min(field_->bound->of(seen_[view], settings_.keepsCullResults), resident);
+    const std::uint64_t seen = sowing() != nullptr
+                                   ? sowing()->visiblePatches(seen_[view])
+                                   : field_->bound->of(seen_[view], settings_.keepsCullResults);
+    const std::uint64_t visible = std::min(seen, resident);
     const auto rounds = static_cast<std::uint32_t>(gpu::groupsFor(visible, list.roundPatches()));
     return std::clamp(rounds, 1u, list.roundCount());
 }
 
 void PlacedField::thin(std::uint32_t slot, std::span<const shared::Eyepoint> raised)
 {
+    if (sowing() != nullptr)
+        residentOfSlot_[slot] = sowing()->residentBlades();
     for (std::uint32_t view = 0; view < raised.size(); ++view) {
         seen_[view].lodThreshold = raised[view].lodThreshold;
         constants_.thin(slot, view, raised[view].lodThreshold);
@@ -247,6 +252,8 @@ void PlacedField::addCounts(std::uint32_t slot, std::uint32_t view, FrameStats& 
     std::uint64_t resident = isUploaded() ? total : 0;
     if (streaming() != nullptr)
         resident = streaming()->residentBlades(slot);
+    if (sowing() != nullptr)
+        resident = std::min(residentOfSlot_[slot], total);
     sum.total += total;
     sum.resident += resident;
     sum.streamedOut += total - resident;

@@ -98,6 +98,9 @@ public:
     /// The streaming of its field; null if all blades are resident.
     Streaming* streaming() const { return field_->streaming.get(); }
 
+    /// The sowing of its field; null if it has no seeds.
+    Sowing* sowing() const { return field_->sowing.get(); }
+
     /// The edits of its field; null if it is not editable.
     ResidentEdits* edits() const { return field_->edits.get(); }
 
@@ -138,7 +141,8 @@ private:
     bool hasNewEtas_ = false;                           ///< the collision state is uninitialised
     ReplacedBuffers replaced_;
     InstanceConstants constants_;
-    std::vector<std::uint64_t> bladesOfSlot_; ///< blades of the field in each slot's frame
+    std::vector<std::uint64_t> bladesOfSlot_;   ///< blades of the field in each slot's frame
+    std::vector<std::uint64_t> residentOfSlot_; ///< of these, in memory; of a sown field
     std::vector<shared::Eyepoint> seen_;
     shared::Environment environment_ = {};
     double timeBefore_ = 0.0;

@@ -5,11 +5,15 @@
 #include "gpu/pipeline/shader_library.h"
 #include "render/field/edited_field.h"
 #include "render/resident/resident_parts.h"
+#include "render/sowing/sown_tables.h"
+#include "render/sowing/sown_view.h"
 #include "render/streaming/page_budget.h"
 #include "shaders/shared/pages.h"
 #include "shaders/shared/passes.h"
 
+#include <algorithm>
 #include <limits>
+#include <memory>
 #include <utility>
 
 namespace sward::embedded {
@@ -31,15 +35,20 @@ const gpu::DeviceContext& contextForField(const gpu::DeviceContext& context,
     return context;
 }
 
-/// Bytes of a field with room for `places` blades, and of the instances of its budget.
-std::uint64_t bytesWith(const field::FieldView& field, const FieldBudget& budget,
-                        std::uint64_t places)
+/// Bytes of a blade in memory, with the instances of the budget.
+std::uint64_t bytesOfPlace(const FieldBudget& budget)
 {
     const std::uint64_t perInstance = sizeof(shared::BladeState) +
                                       (budget.keepsMotion ? sizeof(shared::BladeState::turn) : 0) +
                                       budget.views * sizeof(shared::VisibleBlade);
-    return treeBytes(field, budget.instances, budget.views) +
-           places * (sizeof(shared::PackedBlade) + budget.instances * perInstance);
+    return sizeof(shared::PackedBlade) + budget.instances * perInstance;
+}
+
+/// Bytes of a field with room for `places` blades, and of the instances of its budget.
+std::uint64_t bytesWith(const field::FieldView& field, const FieldBudget& budget,
+                        std::uint64_t places)
+{
+    return treeBytes(field, budget.instances, budget.views) + places * bytesOfPlace(budget);
 }
 
 Streaming::Settings streamingWithin(const FieldBudget& budget, std::uint64_t pages)
@@ -81,9 +90,49 @@ std::uint32_t pagesOf(const field::FieldView& field, const FieldBudget& budget,
                                }});
 }
 
+/// Blades that a frame sows [bytes].
+constexpr VkDeviceSize sownPerFrame = VkDeviceSize(4) << 20;
+constexpr VkDeviceSize sownWaiting = VkDeviceSize(64) << 20;
+
+bool sows(const field::FieldView& field, const FieldBudget& budget)
+{
+    return budget.sownBytes > 0 && !budget.isEditable && isSown(field);
+}
+
+DeviceField sownField(const gpu::DeviceContext& context, gpu::BufferUpload& upload,
+                      const field::FieldView& stored, const FieldBudget& budget)
+{
+    const SownView whole(stored);
+    const field::FieldView& field = whole.view();
+    GrassCover cover(context, upload, field, whole.leafArea(), false);
+    const std::uint64_t bytes =
+        budget.bytes > 0 ? std::min(budget.sownBytes, budget.bytes / 2) : budget.sownBytes;
+    DeviceField::Settings settings{.framesInFlight = budget.framesInFlight};
+    settings.sown = std::make_unique<SownTables>(
+        field,
+        SownTables::Room::of(bytes / (bytesOfPlace(budget) + SownTables::Room::bytesOfPatches)),
+        context.isCpu() ? shared::walkStart : shared::walkStartOfGpu);
+    const std::uint64_t needed =
+        cover.bytes() + bytesWith(field, budget, settings.sown->tables().bladeRoom);
+    if (budget.bytes > 0 && needed > budget.bytes)
+        fail(ErrorKind::runtime,
+             "the field's {} stored blades, and room for those that it sows, need {} MiB; "
+             "FieldBudget::bytes is {} MiB (FieldBudget::sownBytes may be less)",
+             field.blades.size(), (needed >> 20) + 1, budget.bytes >> 20);
+    settings.sowing = {.framesInFlight = budget.framesInFlight,
+                       .threads = budget.sowThreads,
+                       .frameBytes = budget.waitsForDisk ? sownWaiting : sownPerFrame,
+                       .waits = budget.waitsForDisk};
+    return {context,          gpu::ShaderLibrary(embedded::shaders()),
+            upload,           field,
+            std::move(cover), std::move(settings)};
+}
+
 DeviceField fieldOf(const gpu::DeviceContext& context, gpu::BufferUpload& upload,
                     const field::FieldView& field, const FieldBudget& budget)
 {
+    if (sows(field, budget))
+        return sownField(context, upload, field, budget);
     GrassCover cover(context, upload, field, budget.isEditable);
     DeviceField::Settings settings{.walkStart =
                                        context.isCpu() ? shared::walkStart : shared::walkStartOfGpu,
@@ -113,12 +162,12 @@ ResidentField::ResidentField(const gpu::DeviceContext& context, const field::Own
                              const FieldBudget& budget)
     : parts_(std::make_unique<Parts>(context, field.view(), budget))
 {
-    if (isStreamed())
+    if (isStreamed() || isSown())
         parts_->source = field;
 }
 
 ResidentField::ResidentField(const gpu::DeviceContext& context, const field::FieldView& field)
-    : parts_(std::make_unique<Parts>(context, field, FieldBudget{}))
+    : parts_(std::make_unique<Parts>(context, field, FieldBudget{.sownBytes = 0}))
 {
 }
 
@@ -145,6 +194,11 @@ void ResidentField::releaseStaging()
 bool ResidentField::isStreamed() const
 {
     return parts_->field.streaming != nullptr;
+}
+
+bool ResidentField::isSown() const
+{
+    return parts_->field.sowing != nullptr;
 }
 
 glm::dvec3 ResidentField::origin() const

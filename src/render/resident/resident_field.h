@@ -31,21 +31,27 @@ struct FieldBudget {
     std::uint32_t framesInFlight = 2; ///< at least Grass::Settings::framesInFlight
     bool waitsForDisk = false;        ///< false: blades not in CPU memory come in later frames
     bool isEditable = false;          ///< for Grass::edit(): not streamed; edits may need more
+
+    /// For the blades that a field with seeds sows near the views (decision 0045); 0: none. At most
+    /// half of `bytes`, if these are limited.
+    std::uint64_t sownBytes = std::uint64_t(512) << 20;
+    std::uint32_t sowThreads =
+        1; ///< threads of the field that grow them; 0: frames grow a unit each
 };
 
 /// A field's blades on a device, shared by all instances. The host's command buffers upload it, at
 /// once or in pieces; its instances are skipped until then.
 class ResidentField {
 public:
-    /// Allocates, and copies the field into mapped memory; of a field that is streamed, keeps
-    /// `field`. Submits nothing. `context` must outlive it. Throws Error{runtime} if memory or
-    /// budget is too small; Error{usage} if a number of the budget is 0, or if the field has no
-    /// keys and is to be editable.
+    /// Allocates, and copies the field into mapped memory; of a field that is streamed or
+    /// sown, keeps `field`. Submits nothing. `context` must outlive it. Throws Error{runtime} if
+    /// memory or budget is too small; Error{usage} if a number of the budget is 0, or if the field
+    /// has no keys and is to be editable.
     ResidentField(const gpu::DeviceContext& context, const field::OwnedField& field,
                   const FieldBudget& budget = {});
 
-    /// The same without a budget: copies all, is neither streamed nor editable. What `field` views
-    /// may be destroyed afterwards.
+    /// The same without a budget: copies all, is neither streamed nor sown nor editable. What
+    /// `field` views may be destroyed afterwards.
     ResidentField(const gpu::DeviceContext& context, const field::FieldView& field);
     ResidentField(const ResidentField&) = delete;
     ResidentField& operator=(const ResidentField&) = delete;
@@ -63,6 +69,7 @@ public:
 
     /// Whether not all blades fit into the budget. One Grass alone may then draw it.
     bool isStreamed() const;
+    bool isSown() const; ///< it sows blades from its seeds: again for one Grass alone
 
     glm::dvec3 origin() const;               ///< [m] of places in its content
     Aabb content() const;                    ///< box of everything visible [m]

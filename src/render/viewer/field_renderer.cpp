@@ -8,6 +8,7 @@
 #include "render/frame/frame.h"
 #include "render/frame/frame_time.h"
 #include "render/frame/shadow_box.h"
+#include "render/sowing/sown_view.h"
 #include "render/viewer/blade_dump.h"
 #include "render/viewer/exposure.h"
 #include "render/viewer/field_renderer_parts.h"
@@ -44,6 +45,16 @@ PlacedField::Settings bladeSettings(const FieldRenderer::Settings& wanted)
             .maxViews = 1,
             .keepsCullResults = wanted.recordCullResults};
 }
+
+/// Blades that a frame sows, and one that waits for them [bytes].
+constexpr VkDeviceSize frameBytes = VkDeviceSize(4) << 20;
+constexpr VkDeviceSize waitingBytes = VkDeviceSize(64) << 20;
+
+/// A blade's part of a list that holds a share of all, with patches that are not full [bytes].
+constexpr std::uint64_t bytesOfSownList = 5;
+
+/// Rounds in which all sown blades would be listed.
+constexpr std::uint32_t roundsOfSown = 6;
 
 constexpr std::uint64_t ofColliders =
     std::uint64_t(shared::maxColliders) * shared::colliderTriangles;
@@ -117,6 +128,9 @@ FieldRenderer::Parts::Parts(const gpu::DeviceContext& deviceContext, const field
         expectNumbers(context, view.blades.size(), ground.triangleCount());
     PlacedField::Settings own = bladeSettings(wanted);
     own.roundPatches = roundPatchesOf(field->blades, records);
+    // Few of the sown blades are seen at once.
+    if (field->sowing && !records.list && records.roundPatches == 0)
+        own.roundPatches = field->blades.nonEmptyPatchCount() / roundsOfSown + 1;
     auto placed = std::make_unique<PlacedField>(context, *field, own);
     blades = placed.get();
     blades->expectViews(1);
@@ -135,7 +149,7 @@ FieldRenderer::FieldRenderer(const gpu::DeviceContext& context, const field::Own
                              const Settings& settings)
     : FieldRenderer(context, field.view(), settings)
 {
-    if (isStreamed())
+    if (isStreamed() || isSown())
         parts_->source = field;
 }
 
@@ -148,8 +162,49 @@ FieldRenderer::FieldRenderer(const gpu::DeviceContext& context, const field::Fie
 FieldRenderer::FieldRenderer(FieldRenderer&&) noexcept = default;
 FieldRenderer::~FieldRenderer() = default;
 
+bool FieldRenderer::Parts::sows(const field::FieldView& view) const
+{
+    return settings.sownBytes > 0 && !settings.isEditable && render::isSown(view);
+}
+
+/// A field whose blades near the eye are sown.
+std::unique_ptr<DeviceField> FieldRenderer::Parts::sownField(const field::FieldView& stored)
+{
+    const SownView whole(stored);
+    const field::FieldView& view = whole.view();
+    gpu::Uploader uploader(context);
+    field::LeafAreaGrid grid = whole.leafArea();
+    const float exposure = chosenExposure(view, grid);
+    GrassCover cover(context, uploader, view, std::move(grid), false);
+    const std::uint64_t bytes = settings.deviceBytes > 0
+                                    ? std::min(settings.sownBytes, settings.deviceBytes / 2)
+                                    : settings.sownBytes;
+    const SownTables::Room room =
+        SownTables::Room::of(bytes / (records.bytesPerBlade(false) +
+                                      SownTables::Room::bytesOfPatches + bytesOfSownList));
+    requireMemory(context, view, records, {});
+    const std::uint64_t places = view.blades.size() + room.blades;
+    if (geometry == Geometry::raster)
+        expectNumbers(context, places, ground.triangleCount());
+    DeviceField::Settings own{
+        .sown = std::make_unique<SownTables>(
+            view, room, context.isCpu() ? shared::walkStart : shared::walkStartOfGpu),
+        .sowing = {.framesInFlight = settings.framesInFlight,
+                   .threads = settings.sowThreads,
+                   .frameBytes = settings.waitsForDisk ? waitingBytes : frameBytes,
+                   .waits = settings.waitsForDisk},
+        .framesInFlight = settings.framesInFlight,
+        .exposure = exposure};
+    auto made = std::make_unique<DeviceField>(context, recorder.shaders, uploader, view,
+                                              std::move(cover), std::move(own));
+    uploader.finish();
+    return made;
+}
+
 std::unique_ptr<DeviceField> FieldRenderer::Parts::uploadedField(const field::FieldView& view)
 {
+    if (sows(view))
+        return sownField(view);
     gpu::Uploader uploader(context);
     field::LeafAreaGrid grid = field::leafAreaOf(view);
     const float exposure = chosenExposure(view, grid);
@@ -379,7 +434,7 @@ bool FieldRenderer::recordStreaming(VkCommandBuffer buffer, glm::uvec2 size, con
 {
     Parts& parts = *parts_;
     const gpu::Recording commands = parts.recording(buffer, settings, time, slot);
-    if (!isStreamed())
+    if (!isStreamed() && !isSown())
         return true;
     const gpu::LabelScope label(parts.context, commands, "field/streaming");
     const DeviceField& field = *parts.field;
@@ -392,7 +447,7 @@ bool FieldRenderer::recordStreaming(VkCommandBuffer buffer, glm::uvec2 size, con
     if (!hadMoved)
         parts.lastTime = time;
     parts.recorder.recordUpdate(commands);
-    return field.streaming->isSettled();
+    return field.streaming ? field.streaming->isSettled() : field.sowing->isSettled();
 }
 
 std::optional<VkSemaphoreSubmitInfo> FieldRenderer::copied() const
@@ -467,6 +522,11 @@ std::size_t FieldRenderer::deviceBytes() const
 bool FieldRenderer::isStreamed() const
 {
     return parts_->field->streaming != nullptr;
+}
+
+bool FieldRenderer::isSown() const
+{
+    return parts_->field->sowing != nullptr;
 }
 
 Aabb FieldRenderer::content() const

@@ -26,7 +26,8 @@ class Timestamps;
 
 namespace sward::render {
 
-/// Draws one field into the caller's pictures. Starts no threads, owns no window, submits nothing
+/// Draws one field into the caller's pictures. Starts no threads but for a field that is
+/// sown, owns no window, submits nothing
 /// while recording (but see copied()). The constructor uploads the field and waits for it.
 class FieldRenderer {
 public:
@@ -109,6 +110,7 @@ public:
     const char* geometryReason() const; ///< in words
 
     bool isStreamed() const;         ///< not all blades fit in memory
+    bool isSown() const;             ///< blades near the eye are sown from the field's seeds
     std::size_t deviceBytes() const; ///< device memory in use
     Aabb content() const;            ///< box of everything visible, relative to the origin
 

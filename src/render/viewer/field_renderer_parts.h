@@ -54,12 +54,13 @@ struct FieldRenderer::Parts {
     std::optional<OpaqueRasterPass> opaqueRaster;
     std::optional<ResolvePass> resolve;
 
-    OpaqueLayer layer;                       ///< of the frame being recorded
-    BladeRecords records;                    ///< per blade
-    std::unique_ptr<DeviceField> field;      ///< what the instance shows
-    std::optional<field::OwnedField> source; ///< what streaming reads, unless the caller has it
-    PlacedField* blades = nullptr;           ///< the only instance of the recorder
-    double lastTime = 0.0;                   ///< [s] of the frame before
+    OpaqueLayer layer;                  ///< of the frame being recorded
+    BladeRecords records;               ///< per blade
+    std::unique_ptr<DeviceField> field; ///< what the instance shows
+    std::optional<field::OwnedField>
+        source;                    ///< what streaming and sowing read, unless the caller has it
+    PlacedField* blades = nullptr; ///< the only instance of the recorder
+    double lastTime = 0.0;         ///< [s] of the frame before
     std::uint32_t frameNumber = 0;
     shared::DepthPyramid frozen = {}; ///< of the last picture whose camera culled; may be none
 
@@ -74,6 +75,8 @@ struct FieldRenderer::Parts {
     std::unique_ptr<DeviceField> uploadedField(const field::FieldView& view);
     MemoryPlan planWithin(const field::FieldView& view, VkDeviceSize coverBytes);
     std::unique_ptr<EditedField> editedOf(const field::FieldView& view) const;
+    bool sows(const field::FieldView& view) const;
+    std::unique_ptr<DeviceField> sownField(const field::FieldView& view);
     std::size_t bytesBesideBlades() const;
     void measurePictures();
     void fit(glm::uvec2 size);

@@ -46,7 +46,12 @@ struct FieldRendererSettings {
     /// gradually, and the viewed field data must outlive the renderer.
     std::uint64_t deviceBytes = 0;
     glm::uvec2 largestTarget{1920, 1080}; ///< [pixels] that deviceBytes includes
-    bool waitsForDisk = false;            ///< false: blades not in CPU memory are loaded later
+    bool waitsForDisk = false; ///< false: blades not in CPU memory, or not sown, come later
+
+    /// Device memory [bytes] for the blades that a field with seeds sows near the eye, beside what
+    /// is stored (decision 0045); 0: they are not sown. Part of `deviceBytes`, if that is set.
+    std::uint64_t sownBytes = std::uint64_t(512) << 20;
+    std::uint32_t sowThreads = 1; ///< threads that grow them; 0: frames do, a unit each
 
     /// Whether FieldRenderer::apply() may replace cells of the field, which must have keys. Costs a
     /// copy of patches and keys in CPU memory, and room for more blades.

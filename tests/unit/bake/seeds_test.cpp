@@ -6,11 +6,14 @@
 #include "core/error.h"
 #include "field/inspect.h"
 #include "field/seeds/clump_tones.h"
+#include "field/seeds/sow_unit.h"
 #include "field/seeds/sower.h"
 #include "field/verify.h"
 #include "support/meshes.h"
 #include "unit/bake/bake_settings.h"
 
+#include <glm/geometric.hpp>
+#include <glm/vector_relational.hpp>
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -91,9 +94,9 @@ bool isSame(const field::Field& a, const field::Field& b)
 // Up-vectors of seeds have a quantised length and direction.
 constexpr double upError = 0.004;
 
-// Tones of clumps are equal but for 1 blade in 100, which has the next of the 255 tones: the moisture
-// of its clump is quantised. Walls have the least moisture that there is, with which one tone in ten
-// lies between two; rounding decides.
+// Tones of clumps are equal but for 1 blade in 100, which has the next of the 255 tones: the
+// moisture of its clump is quantised. Walls have the least moisture that there is, with which one
+// tone in ten lies between two; rounding decides.
 constexpr double otherTones = 0.01;
 constexpr double otherTonesOfWalls = 0.1;
 
@@ -223,6 +226,66 @@ TEST(Seeds, RegionsShareOutTheBlades)
                 glm::dvec3(shared::unpackBlade(view.blades[i], view.patches[patches[i]]).root),
                 ball.centre),
             9.002);
+}
+
+TEST(Seeds, UnitsShareOutTheBladesWithinTheirBounds)
+{
+    const field::Field seeded =
+        bakeOf(meshes::hills(40.0, 16), meadowSettings(180.0), SeedUse::always);
+    const field::SeedsView& seeds = seeded.seeds->view;
+    const field::Sower sower(*seeds.meadow, seeded.species, seeded.origin);
+    const std::uint32_t levels = seeds.meadow->levels;
+    std::size_t blades = 0;
+    std::size_t units = 0;
+    for (std::size_t i = 0; i < seeds.cells.size(); ++i) {
+        const field::UnitCell cell(field::readSeedCell(seeds, i, "seeded"), sower);
+        std::vector<std::array<std::uint32_t, 4>> whole;
+        std::vector<std::array<std::uint32_t, 4>> parts;
+        const auto add = [](auto& list, const auto& packed) {
+            for (const shared::PackedBlade& one : packed)
+                list.push_back({one.rootXY, one.rootZUp, one.shape, one.look});
+        };
+        add(whole, sower.sow(cell.seeds(), {}).blades);
+        field::SowUnit unit{.cell = cell.seeds().cell};
+        for (unit.level = 0; unit.level <= levels; ++unit.level) {
+            const std::uint32_t side = 1U << field::unitLevel(unit.level);
+            for (std::uint32_t p = 0; p < side * side * side; ++p) {
+                unit.place = {p % side, p / side % side, p / side / side};
+                const field::GrownUnit grown = field::growUnit(sower, seeded.species, cell, unit);
+                EXPECT_TRUE(cell.bears(unit) || grown.blades.empty());
+                add(parts, grown.blades);
+                ++units;
+                std::size_t next = 0;
+                for (const shared::Patch& patch : grown.patches) {
+                    EXPECT_EQ(patch.firstBlade, next);
+                    next += patch.bladeCount;
+                    EXPECT_LE(patch.bladeCount, shared::maxPatchBlades);
+                    EXPECT_GE(patch.rankLow, field::lowestRank(unit.level, levels));
+                    if (unit.level < levels) {
+                        EXPECT_LT(patch.rankHigh, field::lowestRank(unit.level + 1, levels));
+                    }
+                    for (std::uint32_t b = 0; b < patch.bladeCount; ++b) {
+                        const shared::Blade blade =
+                            shared::unpackBlade(grown.blades[patch.firstBlade + b], patch);
+                        const glm::vec3 tip = blade.root + blade.height * blade.up;
+                        for (const shared::Patch& box : {patch, grown.whole}) {
+                            EXPECT_TRUE(glm::all(glm::lessThanEqual(box.boundsLow, tip)));
+                            EXPECT_TRUE(glm::all(glm::lessThanEqual(tip, box.boundsHigh)));
+                            EXPECT_GE(glm::dot(blade.up, box.coneAxis), box.coneCosine);
+                        }
+                    }
+                }
+                EXPECT_EQ(next, grown.blades.size());
+            }
+        }
+        std::sort(whole.begin(), whole.end());
+        std::sort(parts.begin(), parts.end());
+        EXPECT_EQ(whole, parts);
+        blades += whole.size();
+    }
+    EXPECT_GT(blades, 100'000U);
+    EXPECT_GT(levels, 3U);
+    EXPECT_GT(units, seeds.cells.size() * levels) << "some are parts of cells"; 
 }
 
 TEST(Seeds, AShareIsTheUniformBakeOfThatDensity)

@@ -60,7 +60,6 @@ TEST(Cover, UndergrowthCoversTheGroundAsTheMeadowDoes)
     cover.undergrowth = vec3(0.05f, 0.1f, 0.02f);
     cover.sward = vec3(0.1f, 0.2f, 0.04f);
     cover.thatch = 1.0f;
-    cover.thinned = 1.0f;
     const vec3 white(1.0f);
     const auto under = [&](float leafArea) {
         return groundUnder(cover, white, vec3(1.0f), leafArea);
@@ -72,13 +71,12 @@ TEST(Cover, UndergrowthCoversTheGroundAsTheMeadowDoes)
     for (float leafArea = 0.1f; leafArea < 5.0f; leafArea += 0.1f)
         EXPECT_LT(under(leafArea).x, under(leafArea - 0.1f).x) << leafArea;
     // Nothing stands for blades where none is missing; all of the ground does where all are.
-    EXPECT_EQ(swardShare(cover, 5.0f), 0.0f);
-    cover.thinned = 1000.0f;
-    EXPECT_GT(swardShare(cover, 5.0f), 0.95f);
-    EXPECT_EQ(swardShare(cover, 0.0f), 0.0f);
+    EXPECT_EQ(swardShare(cover, 5.0f, 1.0f), 0.0f);
+    EXPECT_GT(swardShare(cover, 5.0f, 1000.0f), 0.95f);
+    EXPECT_EQ(swardShare(cover, 0.0f, 1000.0f), 0.0f);
     cover.thatch = 0.0f;
     EXPECT_EQ(under(5.0f), white);
-    EXPECT_EQ(swardShare(cover, 5.0f), 0.0f);
+    EXPECT_EQ(swardShare(cover, 5.0f, 1000.0f), 0.0f);
 }
 
 TEST(Noise, SlopeIsTheDerivativeOfTheValue)

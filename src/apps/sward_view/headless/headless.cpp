@@ -12,6 +12,7 @@
 #include <algorithm>
 #include <chrono>
 #include <cstring>
+#include <thread>
 
 namespace sward::view {
 namespace {
@@ -103,7 +104,9 @@ Headless::Headless(const FrameOptions& options, Wanted wanted)
                  .recordCullResults = wanted.blades || options.debug == render::DebugMode::reason,
                  .deviceBytes = options.gpuMemory,
                  .largestTarget = options.size,
-                 .waitsForDisk = true})
+                 .waitsForDisk = true,
+                 .sownBytes = wanted.blades ? 0 : render::FieldRendererSettings{}.sownBytes,
+                 .sowThreads = std::max(std::thread::hardware_concurrency(), 1U)})
     , timestamps_(device_.context(), {.slots = 1})
     , ring_(device_.context(), 1)
 {

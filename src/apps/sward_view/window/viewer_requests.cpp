@@ -15,6 +15,7 @@
 #include <glm/geometric.hpp>
 
 #include <algorithm>
+#include <thread>
 #include <utility>
 
 namespace sward::view {
@@ -300,7 +301,9 @@ void Viewer::show(Opening::Opened opened)
                                         .castsShadows = true,
                                         .recordCullResults = true,
                                         .deviceBytes = frame.gpuMemory,
-                                        .largestTarget = window_.screenSize()},
+                                        .largestTarget = window_.screenSize(),
+                                        .sowThreads =
+                                            std::max(std::thread::hardware_concurrency() / 2, 1U)},
         goodShaders_, home, viewerState_.settings, window_.aspect());
     device_.waitIdle();
 

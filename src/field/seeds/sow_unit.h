@@ -1,0 +1,83 @@
+#pragma once
+
+#include "core/bounds.h"
+#include "core/uninitialized.h"
+#include "field/field.h"
+#include "field/measure/subtree_bounds.h"
+#include "field/seeds/seeds.h"
+#include "field/seeds/sower.h"
+
+#include <array>
+#include <bitset>
+#include <compare>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+namespace sward::field {
+
+/// Side of the finest units in a 32 m cell: 1/8 of that.
+constexpr std::uint32_t finestUnits = 3;
+
+/// What is sown at once: the blades of one level (shared::sowLevel()) in a cube of 32 m / 2^n, with
+/// n three less than the level and at most finestUnits: about as many blades at each level.
+struct SowUnit {
+    std::array<std::int32_t, 3> cell{};   ///< 32 m cell, as SeedEntry::cell
+    std::uint32_t level = 0;              ///< of ranks, 0 to SeedMeadow::levels
+    std::array<std::uint32_t, 3> place{}; ///< of the cube in the cell
+
+    auto operator<=>(const SowUnit&) const = default; ///< some order
+};
+
+/// n of the units of a level.
+std::uint32_t unitLevel(std::uint32_t level);
+
+/// Box of its roots relative to the field's origin [m].
+Aabb boxOf(const SowUnit& unit);
+
+/// Lowest rank of a level, and that of the next level.
+float lowestRank(std::uint32_t level, std::uint32_t levels);
+
+/// A 32 m cell from which units are grown.
+class UnitCell {
+public:
+    UnitCell(SeedCell&& seeds, const Sower& sower);
+
+    /// Whether something may bear in a unit of this cell.
+    bool bears(const SowUnit& unit) const;
+
+    /// The finest cubes in which something may bear: x + 8 y + 64 z.
+    using Cubes = std::bitset<512>;
+    const Cubes& cubes() const { return cubes_; }
+
+    const SeedCell& seeds() const { return seeds_; }
+    const CellSurroundings& around() const { return around_; }
+
+private:
+    SeedCell seeds_;
+    CellSurroundings around_;
+    Cubes cubes_;
+};
+
+/// Whether something may bear in a unit of a cell with these cubes.
+bool bears(const UnitCell::Cubes& cubes, const SowUnit& unit);
+
+/// The blades of a unit. Each patch has bounds, a cone and ranks of its own, and no relatives.
+struct GrownUnit {
+    SowUnit unit;
+    std::vector<shared::Patch> patches; ///< firstBlade counts from this unit's first blade
+    UninitializedVector<shared::PackedBlade> blades;
+    UninitializedVector<BladeKey> keys; ///< one a blade
+    shared::Patch whole = {};           ///< bounds and cone of all, without blades
+    float widest = 0.0f;                ///< [m] full width of the widest blade
+};
+
+/// Grows a unit of a cell. The result depends on meadow, cell and unit alone. Thread-safe.
+GrownUnit growUnit(const Sower& sower, std::span<const Species> species, const UnitCell& cell,
+                   const SowUnit& unit);
+
+/// The blades of a sown patch as SubtreeDescription wants them, appended to `grown`.
+void addGrown(std::span<const Species> species, std::span<const shared::PackedBlade> blades,
+              const shared::Patch& patch, std::vector<GrownBlade>& grown);
+
+} // namespace sward::field

@@ -1,0 +1,104 @@
+#include "render/sowing/sow_choice.h"
+
+#include "core/expect.h"
+#include "shaders/shared/visibility.h"
+
+#include <glm/vec3.hpp>
+
+#include <algorithm>
+#include <tuple>
+
+namespace sward::render {
+namespace {
+
+/// Largest share of the blades that any eye draws in a box.
+float shareIn(const Aabb& box, std::span<const shared::Eyepoint> eyes, float threshold)
+{
+    float share = 0.0f;
+    for (shared::Eyepoint eye : eyes) {
+        eye.lodThreshold = threshold;
+        const float distance = shared::boxDistance(eye.eye, box.low, box.high);
+        if ((eye.cullMask & shared::cullDistance) == 0 || distance <= eye.drawDistance)
+            share = std::max(share, shared::shareAt(eye, distance));
+    }
+    return share;
+}
+
+} // namespace
+
+SowChoice::SowChoice(const field::SeedsView& seeds)
+    : seeds_(&seeds)
+    , firstLevel_(0)
+{
+    const std::uint32_t levels = seeds.meadow->levels;
+    while (firstLevel_ <= levels &&
+           field::lowestRank(firstLevel_, levels) < static_cast<float>(seeds.meadow->stored))
+        ++firstLevel_;
+}
+
+void SowChoice::findIn(std::size_t index, std::span<const shared::Eyepoint> all, float threshold,
+                       std::vector<Wanted>& wanted) const
+{
+    const std::uint32_t levels = seeds_->meadow->levels;
+    field::SowUnit unit;
+    unit.cell = seeds_->cells[index].cell;
+    const float most = shareIn(field::boxOf(unit), all, threshold);
+    if (firstLevel_ > levels || most <= field::lowestRank(firstLevel_, levels))
+        return;
+    const auto known = cubes_.find(unit.cell);
+    if (known == cubes_.end()) {
+        wanted.push_back({most / field::lowestRank(firstLevel_, levels), true, unit});
+        return;
+    }
+    for (unit.level = firstLevel_; unit.level <= levels; ++unit.level) {
+        const float lowest = field::lowestRank(unit.level, levels);
+        if (most <= lowest)
+            return;
+        const std::uint32_t side = 1U << field::unitLevel(unit.level);
+        for (unit.place[2] = 0; unit.place[2] < side; ++unit.place[2])
+            for (unit.place[1] = 0; unit.place[1] < side; ++unit.place[1])
+                for (unit.place[0] = 0; unit.place[0] < side; ++unit.place[0]) {
+                    if (!field::bears(known->second, unit))
+                        continue;
+                    const float share = shareIn(field::boxOf(unit), all, threshold);
+                    if (share > lowest)
+                        wanted.push_back({share / lowest, false, unit});
+                }
+    }
+}
+
+void SowChoice::find(std::span<const shared::Eyepoint> eyes,
+                     std::span<const shared::Eyepoint> ahead, float threshold,
+                     std::vector<Wanted>& wanted) const
+{
+    wanted.clear();
+    std::vector<shared::Eyepoint> all(eyes.begin(), eyes.end());
+    all.insert(all.end(), ahead.begin(), ahead.end());
+    for (std::size_t i = 0; i < seeds_->cells.size(); ++i)
+        findIn(i, all, threshold, wanted);
+    std::ranges::sort(wanted, [](const Wanted& a, const Wanted& b) {
+        return std::tie(b.score, a.unit) < std::tie(a.score, b.unit);
+    });
+}
+
+float SowChoice::scoreOf(const field::SowUnit& unit, std::span<const shared::Eyepoint> eyes,
+                         std::span<const shared::Eyepoint> ahead, float threshold) const
+{
+    const Aabb box = field::boxOf(unit);
+    return std::max(shareIn(box, eyes, threshold), shareIn(box, ahead, threshold)) /
+           field::lowestRank(unit.level, seeds_->meadow->levels);
+}
+
+void SowChoice::know(const std::array<std::int32_t, 3>& cell, const field::UnitCell::Cubes& cubes)
+{
+    cubes_[cell] = cubes;
+}
+
+std::size_t SowChoice::indexOf(const std::array<std::int32_t, 3>& cell) const
+{
+    const auto found = std::ranges::lower_bound(seeds_->cells, cell, {}, &field::SeedEntry::cell);
+    expect(found != seeds_->cells.end() && found->cell == cell, "a cell of the seeds");
+    return static_cast<std::size_t>(found - seeds_->cells.begin());
+}
+
+} // namespace sward::render

@@ -1,0 +1,54 @@
+#pragma once
+
+#include "field/seeds/seeds.h"
+#include "field/seeds/sow_unit.h"
+#include "shaders/shared/eyepoint.h"
+
+#include <array>
+#include <cstdint>
+#include <map>
+#include <span>
+#include <vector>
+
+namespace sward::render {
+
+/// Which units of a field with seeds eyepoints want. Depends on the places of the eyes, not on
+/// where they look: an eye that turns finds everything there. Runs on the CPU.
+class SowChoice {
+public:
+    /// `seeds` must outlive it.
+    explicit SowChoice(const field::SeedsView& seeds);
+
+    /// A unit that is wanted, or a cell whose bearing cubes are not known yet.
+    struct Wanted {
+        /// The share that is drawn at the unit's nearest place over its lowest rank: above 1.
+        float score = 0.0f;
+        bool isCell = false;
+        field::SowUnit unit; ///< of a cell: `cell` alone
+    };
+
+    /// All that is wanted, in falling order of scores; equal scores in order of their units.
+    /// `threshold`: Eyepoint::lodThreshold instead of the eyepoints' own.
+    void find(std::span<const shared::Eyepoint> eyes, std::span<const shared::Eyepoint> ahead,
+              float threshold, std::vector<Wanted>& wanted) const;
+
+    /// Score of a unit that is there.
+    float scoreOf(const field::SowUnit& unit, std::span<const shared::Eyepoint> eyes,
+                  std::span<const shared::Eyepoint> ahead, float threshold) const;
+
+    /// Says where a cell bears.
+    void know(const std::array<std::int32_t, 3>& cell, const field::UnitCell::Cubes& cubes);
+
+    /// Number of a cell in the seeds; none is an invariant's violation.
+    std::size_t indexOf(const std::array<std::int32_t, 3>& cell) const;
+
+private:
+    void findIn(std::size_t index, std::span<const shared::Eyepoint> all, float threshold,
+                std::vector<Wanted>& wanted) const;
+
+    const field::SeedsView* seeds_;
+    std::uint32_t firstLevel_; ///< levels below are stored
+    std::map<std::array<std::int32_t, 3>, field::UnitCell::Cubes> cubes_;
+};
+
+} // namespace sward::render

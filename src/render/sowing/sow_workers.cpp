@@ -1,0 +1,134 @@
+#include "render/sowing/sow_workers.h"
+
+#include <algorithm>
+#include <iterator>
+#include <utility>
+
+namespace sward::render {
+namespace {
+
+/// Cells that are kept unpacked: about 0.3 MB each on ground with triangles of a metre.
+constexpr std::size_t keptCells = 96;
+
+} // namespace
+
+SowWorkers::SowWorkers(const field::FieldView& seeded, std::uint32_t threads)
+    : seeds_(seeded.seeds)
+    , species_(seeded.species.begin(), seeded.species.end())
+    , sower_(*seeded.seeds->meadow, species_, seeded.origin)
+{
+    for (std::uint32_t i = 0; i < threads; ++i)
+        threads_.emplace_back([this] { work(); });
+}
+
+SowWorkers::~SowWorkers()
+{
+    {
+        const std::lock_guard lock(mutex_);
+        ends_ = true;
+        waiting_.clear();
+    }
+    changed_.notify_all();
+    for (std::thread& thread : threads_)
+        thread.join();
+}
+
+void SowWorkers::want(std::vector<Job> jobs)
+{
+    {
+        const std::lock_guard lock(mutex_);
+        waiting_.assign(jobs.begin(), jobs.end());
+    }
+    changed_.notify_all();
+}
+
+bool SowWorkers::run()
+{
+    Job job;
+    {
+        const std::lock_guard lock(mutex_);
+        if (waiting_.empty())
+            return false;
+        job = waiting_.front();
+        waiting_.pop_front();
+        ++running_;
+    }
+    std::optional<Result> result;
+    std::exception_ptr failure;
+    try {
+        result = done(job);
+    } catch (...) {
+        failure = std::current_exception();
+    }
+    {
+        const std::lock_guard lock(mutex_);
+        if (result)
+            results_.push_back(std::move(*result));
+        if (failure && !failure_)
+            failure_ = failure;
+        --running_;
+    }
+    changed_.notify_all();
+    return true;
+}
+
+void SowWorkers::finish()
+{
+    while (run()) {
+    }
+    std::unique_lock lock(mutex_);
+    changed_.wait(lock, [this] { return waiting_.empty() && running_ == 0; });
+}
+
+std::vector<SowWorkers::Result> SowWorkers::take()
+{
+    const std::lock_guard lock(mutex_);
+    if (failure_)
+        std::rethrow_exception(std::exchange(failure_, nullptr));
+    return std::exchange(results_, {});
+}
+
+void SowWorkers::work()
+{
+    for (;;) {
+        {
+            std::unique_lock lock(mutex_);
+            changed_.wait(lock, [this] { return ends_ || !waiting_.empty(); });
+            if (ends_)
+                return;
+        }
+        run();
+    }
+}
+
+SowWorkers::Result SowWorkers::done(const Job& job)
+{
+    const std::shared_ptr<const field::UnitCell> cell = cellAt(job.cell);
+    Result result{.cell = cell->seeds().cell, .cubes = cell->cubes(), .unit = {}};
+    if (job.unit) {
+        result.unit = field::growUnit(sower_, species_, *cell, *job.unit);
+        result.unit->keys = {};
+    }
+    return result;
+}
+
+std::shared_ptr<const field::UnitCell> SowWorkers::cellAt(std::size_t index)
+{
+    {
+        const std::lock_guard lock(mutex_);
+        const auto found = std::ranges::find(cached_, index, &Cached::cell);
+        if (found != cached_.end()) {
+            cached_.splice(cached_.begin(), cached_, found);
+            return found->content;
+        }
+    }
+    auto made = std::make_shared<const field::UnitCell>(
+        field::readSeedCell(*seeds_, index, "the field's seeds"), sower_);
+    const std::lock_guard lock(mutex_);
+    cached_.push_front({index, made});
+    if (cached_.size() > keptCells)
+        cached_.pop_back();
+    return made;
+}
+
+} // namespace sward::render

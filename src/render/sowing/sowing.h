@@ -1,0 +1,104 @@
+#pragma once
+
+#include "field/field.h"
+#include "gpu/context/context.h"
+#include "gpu/pipeline/shader_library.h"
+#include "gpu/recording/recording.h"
+#include "render/edits/staged_edits.h"
+#include "render/field/baked_blades.h"
+#include "render/field/blade_states.h"
+#include "render/frame/frame_stats.h"
+#include "render/sowing/sow_choice.h"
+#include "render/sowing/sow_workers.h"
+#include "render/sowing/sown_tables.h"
+#include "render/streaming/eye_motion.h"
+#include "shaders/shared/eyepoint.h"
+
+#include <vulkan/vulkan.h>
+
+#include <cstdint>
+#include <map>
+#include <memory>
+#include <span>
+#include <vector>
+
+namespace sward::render {
+
+/// Sows the blades near the eyes into device memory (decision 0045): units that eyes want are grown
+/// on the CPU, and a bounded number of bytes comes per frame. Units that are wanted less make room.
+/// Several placed fields may share the blades, each with its own states.
+class Sowing {
+public:
+    struct Settings {
+        std::uint32_t framesInFlight = 1;
+        std::uint32_t threads = 0;   ///< that grow units; 0: some units a frame in choose()
+        VkDeviceSize frameBytes = 0; ///< maximum upload per frame, or one unit
+        bool waits = false;          ///< a frame waits for what it wants
+    };
+
+    /// The data viewed by `field` must outlive it.
+    Sowing(const gpu::DeviceContext& context, const gpu::ShaderLibrary& shaders,
+           const field::FieldView& field, std::unique_ptr<SownTables> tables,
+           const Settings& settings);
+
+    const SownTables& tables() const { return *tables_; }
+
+    /// Chooses arriving and leaving units for the frame recorded next. `seen`: the eyepoints for
+    /// culling, at least one, of equal lodThreshold, which is raised to match what is there. Must
+    /// be followed by record(). Throws Error{input} if the field's seeds are damaged.
+    void choose(std::span<shared::Eyepoint> seen);
+
+    /// Records the changes: see StagedEdits::record().
+    void record(const gpu::Recording& commands, const BakedBlades& baked,
+                std::span<const BladeStates* const> states, std::uint32_t settledAt,
+                std::uint32_t slot);
+
+    /// Whether further frames would change nothing with a fixed eye.
+    bool isSettled() const { return isSettled_; }
+
+    /// Blades in memory, and all that there would be.
+    std::uint64_t residentBlades() const;
+    std::uint64_t allBlades() const { return allBlades_; }
+
+    /// Upper bound of the patches with blades that a walk from this eyepoint finds.
+    std::uint64_t visiblePatches(const shared::Eyepoint& view) const;
+
+    /// Units in place of pages.
+    StreamingStats stats() const;
+
+    VkDeviceSize bytes() const { return staged_.bytes(); } ///< of mapped memory
+
+private:
+    struct Present {
+        SownTables::Place place; ///< of a unit without blades: no places
+        float score = 0.0f;
+    };
+    void takeResults();
+    void ask();
+    void takeIn(Edit& edit, bool takesAll);
+    bool makeRoom(float score, Edit& edit);
+    float missingScore(std::span<const shared::Eyepoint> seen, float threshold);
+    void forgetBare();
+
+    Settings settings_;
+    std::unique_ptr<SownTables> tables_;
+    SowChoice choice_;
+    SowWorkers workers_;
+    StagedEdits staged_;
+    EyeMotion motion_;
+    std::vector<SowChoice::Wanted> wanted_;
+    std::map<field::SowUnit, Present> present_;
+    std::map<field::SowUnit, field::GrownUnit> ready_; ///< grown, and not in memory yet
+    std::uint64_t allBlades_;
+    std::uint64_t copied_ = 0;    ///< bytes, in the last frame
+    float nearestMissing_ = 0.0f; ///< [m]
+    std::size_t missing_ = 0;     ///< wanted units that are not there
+    float thinning_ = 0.0f;       ///< 0: before the first frame
+    bool isFull_ = false;
+    bool isSettled_ = false;
+};
+
+/// Blades of a field's seeds, ribbons included; estimated from its meadow.
+double bladesPerArea(const field::SeedMeadow& meadow);
+
+} // namespace sward::render

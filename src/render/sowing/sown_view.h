@@ -1,0 +1,35 @@
+#pragma once
+
+#include "field/field.h"
+#include "field/measure/leaf_area.h"
+#include "shaders/shared/patch.h"
+
+#include <cstdint>
+#include <vector>
+
+namespace sward::render {
+
+/// A field with seeds as the first ranks of its whole meadow: blades are as narrow as they are in
+/// it, and no leaf area is missing, since the rest will be sown.
+class SownView {
+public:
+    /// The data viewed by `stored`, which must have seeds, must outlive it.
+    explicit SownView(const field::FieldView& stored);
+    SownView(const SownView&) = delete;
+    SownView& operator=(const SownView&) = delete;
+
+    const field::FieldView& view() const { return view_; }
+
+    /// field::leafAreaOf() the whole meadow: of the stored blades, over their share of all.
+    field::LeafAreaGrid leafArea() const;
+
+private:
+    std::vector<shared::Patch> patches_;
+    field::FieldView view_;
+    double share_; ///< of the blades that is stored
+};
+
+/// Whether a field's rest is sown: it has seeds, and stores some of their blades, but not all.
+bool isSown(const field::FieldView& field);
+
+} // namespace sward::render
