@@ -172,6 +172,11 @@ Comparison compare(const FieldView& first, const FieldView& second, const glm::d
         result.reasons.push_back(
             fmt::format("{} blades differ in facing, height, width, stiffness or species",
                         result.traitsDiffer));
+    result.comparesSeeds = transform == glm::dmat4(1.0);
+    if (result.comparesSeeds)
+        result.seeds = compareSeeds({first.seeds, first.origin}, {second.seeds, second.origin});
+    result.reasons.insert(result.reasons.end(), result.seeds.reasons.begin(),
+                          result.seeds.reasons.end());
     return result;
 }
 

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "field/field.h"
+#include "field/seeds/compare_seeds.h"
 
 #include <glm/mat4x4.hpp>
 
@@ -39,6 +40,8 @@ struct Comparison {
     double largestHeightDifference = 0.0; ///< relative
     double largestWidthDifference = 0.0;  ///< relative
     std::uint64_t traitsDiffer = 0;   ///< matched blades that differ by more than the packing error
+    SeedComparison seeds;             ///< zero cells if no field has any
+    bool comparesSeeds = true;        ///< false: `transform` moves them to other cells
     std::vector<std::string> reasons; ///< empty: equal within `tolerance` and the packing errors
 };
 
@@ -50,7 +53,8 @@ enum class Match { order, id };
 /// compared. `transform` must be a rotation with uniform scale. Unless it is the identity, 1 blade
 /// in 10 000 may be missing per side, and 1 in 10 000 may have other traits. Reason: a transform
 /// changes last bits of places and areas. These decide whether a triangle gets one blade more, or
-/// which of two equally distant clumps owns a blade.
+/// which of two equally distant clumps owns a blade. Seeds must be equal number by number; under a
+/// transform they are not compared, since cells do not turn.
 Comparison compare(const FieldView& first, const FieldView& second, const glm::dmat4& transform,
                    Match match, double tolerance);
 

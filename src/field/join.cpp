@@ -1,6 +1,7 @@
 #include "field/join.h"
 
 #include "core/error.h"
+#include "field/seeds/join_seeds.h"
 
 #include <glm/common.hpp>
 
@@ -264,6 +265,17 @@ void copyGround(const DisplayGround& from, const Move& move, DisplayGround& to)
     to.images.insert(to.images.end(), from.images.begin(), from.images.end());
 }
 
+std::shared_ptr<const SharedSeeds> seedsOf(std::span<const Member> members,
+                                           const std::vector<Move>& moves, const Field& field)
+{
+    std::vector<SeedMember> seeded;
+    for (std::size_t m = 0; m < members.size(); ++m)
+        seeded.push_back({{members[m].view.seeds, members[m].view.origin},
+                          std::span(moves[m].species).first(members[m].view.species.size()),
+                          members[m].name});
+    return joinSeeds(seeded, field.origin, field.species.size());
+}
+
 void copyTexts(std::span<const Member> members, Field& field)
 {
     std::vector<std::string> owners;
@@ -295,10 +307,16 @@ JoinedFields join(std::span<const Member> members)
     field.origin = members[0].view.origin;
     field.defaults = *members[0].view.defaults;
     std::vector<Move> moves;
-    for (const Member& member : members) {
+    for (const Member& member : members)
         moves.push_back(moveOf(member, field.origin));
-        joinSpecies(member, moves.back(), field.species);
-    }
+    // Seeds tell species by slots, so those of the first field with seeds keep theirs.
+    const auto seeded = std::find_if(members.begin(), members.end(), [](const Member& member) {
+        return member.view.seeds != nullptr;
+    });
+    if (seeded != members.end())
+        joinSpecies(*seeded, moves[std::size_t(seeded - members.begin())], field.species);
+    for (std::size_t m = 0; m < members.size(); ++m)
+        joinSpecies(members[m], moves[m], field.species);
     numberOrgans(field.species, "the fields shown together");
     layOut(members, moves, joined);
 
@@ -321,6 +339,7 @@ JoinedFields join(std::span<const Member> members)
     }
     std::stable_sort(field.ground.ranges.begin(), field.ground.ranges.end(),
                      [](const GroundRange& a, const GroundRange& b) { return a.level < b.level; });
+    field.seeds = seedsOf(members, moves, field);
     copyTexts(members, field);
     return joined;
 }

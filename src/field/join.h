@@ -36,12 +36,13 @@ inline constexpr double farthestJoined = 16384.0;
 
 /// Joins one or more `members` under one patch tree. Every patch keeps its blades, in order and
 /// bit-identical except for the species' slot. Every blade keeps its key, so blades of two members
-/// may share an id. Origin, defaults and the first species' slots are the first member's. Species
-/// with equal name and look are merged; cameras of all members are kept. World places move by at
-/// most half a millimetre, if origins differ. Provenance is {"fields": [one per member]}; keys are
-/// dropped unless all members have them. Throws Error{input} naming the member if there are more
-/// than maxSpecies species, a member is beyond farthestJoined, or 32 bits cannot count patches,
-/// blades or corners.
+/// may share an id. Origin and defaults are the first member's; the first species' slots are those
+/// of the first member with seeds, or else of the first. Species with equal name and look are
+/// merged; cameras of all members are kept. Seeds are joined as joinSeeds() says. World places move
+/// by at most half a millimetre, if origins differ. Provenance is {"fields": [one per member]};
+/// keys are dropped unless all members have them. Throws Error{input} naming the member if there
+/// are more than maxSpecies species, a member is beyond farthestJoined, 32 bits cannot count
+/// patches, blades or corners, or its seeds cannot be joined.
 JoinedFields join(std::span<const Member> members);
 
 } // namespace sward::field

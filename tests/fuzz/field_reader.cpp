@@ -5,7 +5,7 @@
 #include "field/file/format.h"
 #include "field/inspect.h"
 #include "field/read.h"
-#include "field/seeds/seeds.h"
+#include "field/seeds/sower.h"
 #include "fuzz/memory_file.h"
 
 #include <xxhash.h>
@@ -42,6 +42,21 @@ void mendHashes(std::vector<std::uint8_t>& bytes)
     std::memcpy(bytes.data(), &header, sizeof header);
 }
 
+// Reads all cells, and sows those whose candidates are few enough for a fuzzer.
+void growSeeds(const field::SeedsView& seeds, const field::FieldView& view)
+{
+    constexpr std::uint64_t fewCandidates = 20'000;
+    const field::Sower sower(*seeds.meadow, view.species, view.origin);
+    for (std::size_t i = 0; i < seeds.cells.size(); ++i) {
+        const field::SeedCell cell = field::readSeedCell(seeds, i, "fuzz");
+        std::uint64_t candidates = 0;
+        for (const shared::SeedPiece& piece : cell.pieces)
+            candidates += piece.count;
+        if (candidates < fewCandidates)
+            sower.sow(cell, {});
+    }
+}
+
 } // namespace
 
 void fieldReader(Bytes bytes)
@@ -52,8 +67,7 @@ void fieldReader(Bytes bytes)
         const field::MappedField field = field::readField(memoryFile().hold(mended, ".sward"));
         field::summarise(field.view());
         if (const field::SeedsView* const seeds = field.view().seeds)
-            for (std::size_t i = 0; i < seeds->cells.size(); ++i)
-                field::readSeedCell(*seeds, i, "fuzz");
+            growSeeds(*seeds, field.view());
     } catch (const Error&) {
     }
 }

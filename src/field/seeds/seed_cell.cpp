@@ -104,6 +104,13 @@ void verifyPiece(const shared::SeedPiece& piece, const SeedCell& cell, std::size
         refuse("candidates out of range");
     if (!(piece.expected >= 1e-30f && piece.expected <= 0x1p32f))
         refuse("no valid number of candidates");
+    // ⌊expected + u⌋ of the whole triangle, of which a part has one in 2^(p + q).
+    constexpr double rounding = 1e-6; // relative, of a float
+    const double whole = std::ldexp(double(piece.count), static_cast<int>(p + q));
+    const double slack =
+        std::ldexp(1.0, static_cast<int>(p + q)) + rounding * (double(piece.expected) + 1.0);
+    if (std::abs(whole - double(piece.expected)) > slack)
+        refuse("a number of candidates that does not fit the expected one");
     const std::uint64_t points =
         std::uint64_t((piece.form >> 10U & 255U) + 1) * ((piece.form >> 18U & 255U) + 1);
     if (piece.records + points > cell.conditions.size())

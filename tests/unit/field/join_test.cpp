@@ -1,14 +1,17 @@
 #include "core/error.h"
 #include "field/join.h"
+#include "field/seeds/sower.h"
 #include "field/verify.h"
 #include "support/fields/fields.h"
 #include "unit/field/sample_field.h"
+#include "unit/field/sample_seeds.h"
 
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
 #include <glm/vector_relational.hpp>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cstring>
 #include <map>
 
@@ -219,6 +222,59 @@ TEST(JoinedFields, TellWhereTheyComeFrom)
     EXPECT_EQ(joined.field.provenance, R"({"fields":[{"a":1},{"b":2}]})");
     EXPECT_EQ(joined.field.copyright, "CC0\nCC-BY");
     EXPECT_EQ(joined.field.defaults.cameras.size(), 2 * fields[0].defaults.cameras.size());
+}
+
+TEST(JoinedFields, KeepTheirSeeds)
+{
+    // Another field before one with seeds; a third one with seeds of the same meadow elsewhere.
+    std::vector<Field> fields{fieldAt({64, 0, -32}, 100, 1), tests::seeded(tests::sampleField()),
+                              tests::seeded(tests::sampleField())};
+    fields[1].origin = {0.0, 32.0, -64.0};
+    fields[2].origin = {96.0, 0.0, 0.0};
+    std::vector<Member> members = membersOf(fields);
+    const Field joined = join(members).field;
+    verify(viewOf(joined), "joined");
+    ASSERT_TRUE(joined.seeds);
+    const SeedsView& seeds = joined.seeds->view;
+    ASSERT_EQ(seeds.cells.size(), 2U);
+    EXPECT_EQ(seeds.meadow->species.size(), joined.species.size());
+    for (std::size_t i = 0; i < 2; ++i) {
+        const glm::dvec3 from =
+            joined.origin + 32.0 * glm::dvec3(seeds.cells[i].cell[0], seeds.cells[i].cell[1],
+                                              seeds.cells[i].cell[2]);
+        const Field& own = fields[1 + i];
+        EXPECT_EQ(from, own.origin + 32.0 * glm::dvec3(-1.0, 0.0, 2.0));
+        // It grows the same blades, with its own species.
+        const SeedCell cell = readSeedCell(seeds, i, "joined");
+        const Sower sower(*seeds.meadow, joined.species, joined.origin);
+        const Sower alone(*own.seeds->view.meadow, own.species, own.origin);
+        const SownCell all = sower.sow(cell, {});
+        const SownCell meant = alone.sow(readSeedCell(own.seeds->view, 0, "own"), {});
+        ASSERT_EQ(all.blades.size(), meant.blades.size());
+        EXPECT_EQ(std::memcmp(all.blades.data(), meant.blades.data(),
+                              all.blades.size() * sizeof all.blades[0]),
+                  0);
+    }
+    EXPECT_EQ(joined.species[0].name, fields[1].species[0].name);
+}
+
+TEST(JoinedFields, RefuseSeedsThatCannotBeJoined)
+{
+    std::vector<Field> fields{tests::seeded(tests::sampleField()),
+                              tests::seeded(tests::sampleField())};
+    // Both have the same cell.
+    EXPECT_NE(complaintOf(fields).find("field 1: has seeds of the cell"), std::string::npos);
+    fields[1].origin.x += 1.0;
+    EXPECT_NE(complaintOf(fields).find("no whole number"), std::string::npos);
+    fields[1].origin.x += 31.0;
+    EXPECT_EQ(complaintOf(fields), "");
+    Seeds other = fields[1].seeds->seeds;
+    other.meadow.density = 50.0;
+    fields[1].seeds = std::make_shared<const SharedSeeds>(std::move(other));
+    const std::string told = complaintOf(fields);
+    EXPECT_NE(told.find("field 1"), std::string::npos);
+    EXPECT_NE(told.find("density 40.0 and 50.0"), std::string::npos);
+    EXPECT_NE(told.find("sward grow"), std::string::npos);
 }
 
 } // namespace

@@ -2,10 +2,12 @@
 #include "core/error.h"
 #include "core/files/mapped_file.h"
 #include "field/file/compression.h"
+#include "field/inspect.h"
 #include "field/read.h"
 #include "field/seeds/sower.h"
 #include "field/write.h"
 #include "unit/field/sample_field.h"
+#include "unit/field/sample_seeds.h"
 
 #include <glm/geometric.hpp>
 #include <gtest/gtest.h>
@@ -21,81 +23,12 @@
 namespace sward::field {
 namespace {
 
-SeedMeadow seedMeadow(std::size_t speciesCount)
-{
-    SeedMeadow meadow;
-    meadow.seed = 0xfedcba9876543210ULL;
-    meadow.density = 40.0;
-    meadow.unitBits = 16;
-    meadow.levels = 2;
-    meadow.highest = 0.5f;
-    meadow.widest = 0.02f;
-    for (std::size_t i = 0; i < speciesCount; ++i) {
-        shared::SowSpecies species = {};
-        species.share = 1.0f / float(speciesCount);
-        species.heightLow = 0.1f;
-        species.heightRange = 0.3f;
-        species.widthLow = 0.005f;
-        species.widthRange = 0.01f;
-        species.stiffnessLow = 0.4f;
-        species.stiffnessRange = 0.2f;
-        species.clumping = 0.5f;
-        species.facing = std::uint32_t(i) % 3;
-        meadow.species.push_back(species);
-    }
-    return meadow;
-}
-
-// A level triangle of 8 m².
-SeedCell seedCell()
-{
-    constexpr int metre = 1 << 16;
-    constexpr std::uint32_t up = 511U | 1022U << 10U | 511U << 20U;
-    SeedCell cell;
-    cell.cell = {-1, 0, 2};
-    cell.vertices = {{metre, 7, metre, up}, {metre, 7, 5 * metre, up}, {5 * metre, 7, metre, up}};
-    shared::SeedPiece piece = {};
-    piece.corners[1] = 1;
-    piece.corners[2] = 2;
-    piece.source = 3;
-    piece.count = 320;
-    piece.expected = 320.0f;
-    piece.bits = shared::noSeedBits;
-    piece.creases = 1;
-    cell.pieces = {piece};
-    cell.clumps = {{0, 5, -8192}, {0, 9, 4096}};
-    shared::SeedConditions open = {};
-    open.growth = 65535U | 255U << 16U;
-    open.look = 0xff203040U;
-    open.size = 8192U | 255U << 16U | 255U << 24U;
-    open.lean = 0x7f7f7fU;
-    cell.conditions = {open};
-    // A crease along the triangle's side from the first to the second corner, then a list of it.
-    const auto word = [](int x) { return static_cast<std::uint32_t>(x); };
-    constexpr std::uint32_t aside = 0U | 511U << 10U | 511U << 20U;
-    cell.words = {0, 1, 3, word(metre), 7, word(metre), word(metre), 7, word(5 * metre), up, aside};
-    return cell;
-}
-
-Seeds sampleSeeds()
-{
-    Seeds seeds;
-    seeds.meadow = seedMeadow(tests::sampleField().species.size());
-    seeds.meadow.clumpSpacing = 1.0;
-    addSeedCell(seeds, seedCell());
-    return seeds;
-}
-
-Field seededField()
-{
-    Field field = tests::sampleField();
-    field.seeds = std::make_shared<const SharedSeeds>(sampleSeeds());
-    return field;
-}
+using tests::seedCell;
+using tests::seedMeadow;
 
 TEST(SeedsInAFile, ReadBackAsTheyWereWritten)
 {
-    const Field field = seededField();
+    const Field field = tests::seeded(tests::sampleField());
     const auto path = tests::temporaryFile("seeded.sward");
     writeField(field, path, true);
     EXPECT_EQ(readFile(path)[10], std::byte(3)) << "the minor version";
@@ -125,7 +58,7 @@ TEST(SeedsInAFile, HoldTheseWordsSinceVersionOneThree)
     EXPECT_EQ(sizeof(SeedEntry), 48U);
     EXPECT_EQ(offsetof(SeedEntry, vertices), 12U);
     EXPECT_EQ(offsetof(SeedEntry, offset), 32U);
-    const Seeds seeds = sampleSeeds();
+    const Seeds seeds = tests::sampleSeeds(2);
     // Differences of x, y, z, up of three vertices; fourteen words of a piece; three of two clumps;
     // four of the conditions; the other words as they are.
     const std::vector<std::uint32_t> words{
@@ -143,7 +76,7 @@ TEST(SeedsInAFile, HoldTheseWordsSinceVersionOneThree)
 
 TEST(SeedsInAFile, GrowInTheirTriangle)
 {
-    const Field field = seededField();
+    const Field field = tests::seeded(tests::sampleField());
     const Sower sower(*field.seeds->view.meadow, field.species, field.origin);
     const SownCell sown = sower.sow(seedCell(), {});
     EXPECT_GE(sown.blades.size(), 320U);
@@ -165,10 +98,10 @@ TEST(SeedsInAFile, GrowInTheirTriangle)
 
 TEST(SeedsInAFile, LeanOverTheirCreases)
 {
-    Seeds seeds = sampleSeeds();
+    Seeds seeds = tests::sampleSeeds(2);
     seeds.meadow.creaseReach = 0.5f;
     seeds.meadow.creaseBlend = 1.0f;
-    const Field field = seededField();
+    const Field field = tests::seeded(tests::sampleField());
     const Sower sower(seeds.meadow, field.species, field.origin);
     const SownCell sown = sower.sow(seedCell(), {});
     std::size_t leaning = 0;
@@ -217,6 +150,11 @@ TEST(SeedsInAFile, EveryNumberIsVerified)
     EXPECT_TRUE(isRefused([](SeedCell& cell) { cell.clumps[1].moisture = -32769; }));
     EXPECT_TRUE(isRefused([](SeedCell& cell) { cell.pieces[0].count = 0x80000001U; }));
     EXPECT_TRUE(isRefused([](SeedCell& cell) { cell.pieces[0].expected = 0.0f; }));
+    // Counts that do not fit their expected number.
+    EXPECT_TRUE(isRefused([](SeedCell& cell) { cell.pieces[0].count = 322; }));
+    EXPECT_TRUE(isRefused([](SeedCell& cell) { cell.pieces[0].count = 0x7fffffffU; }));
+    EXPECT_TRUE(isRefused([](SeedCell& cell) { cell.pieces[0].expected = 318.0f; }));
+    EXPECT_FALSE(isRefused([](SeedCell& cell) { cell.pieces[0].expected = 319.5f; }));
     EXPECT_TRUE(isRefused(
         [](SeedCell& cell) { cell.pieces[0].expected = std::numeric_limits<float>::quiet_NaN(); }));
     EXPECT_TRUE(isRefused([](SeedCell& cell) { cell.clumps[1].piece = 1; }));
@@ -228,7 +166,7 @@ TEST(SeedsInAFile, EveryNumberIsVerified)
 TEST(SeedsInAFile, EntriesMustFitTheirData)
 {
     const auto isRefused = [](const std::function<void(Seeds&)>& change) {
-        Seeds seeds = sampleSeeds();
+        Seeds seeds = tests::sampleSeeds(2);
         const std::size_t speciesCount = seeds.meadow.species.size();
         SeedCell second = seedCell();
         second.cell = {4, 0, 0};
@@ -253,6 +191,15 @@ TEST(SeedsInAFile, EntriesMustFitTheirData)
     EXPECT_TRUE(isRefused([](Seeds& seeds) { seeds.data.push_back(std::byte(0)); }));
     EXPECT_TRUE(isRefused([](Seeds& seeds) { seeds.data[9] ^= std::byte(255); }));
     EXPECT_TRUE(isRefused([](Seeds& seeds) { seeds.meadow.species.pop_back(); }));
+    // A frame cut short, with entries that fit.
+    EXPECT_TRUE(isRefused([](Seeds& seeds) {
+        seeds.data.pop_back();
+        seeds.cells[1].bytes -= 1;
+    }));
+    EXPECT_TRUE(isRefused([](Seeds& seeds) {
+        seeds.data.resize(seeds.cells[1].offset);
+        seeds.cells[1].bytes = 0;
+    }));
 }
 
 TEST(SeedsInAFile, TheMeadowIsReadStrictly)
@@ -271,6 +218,13 @@ TEST(SeedsInAFile, TheMeadowIsReadStrictly)
         }
         return false;
     };
+    for (const char* const value : {"1e999", "-1", "null", "\"40\"", "NaN", "1e16"})
+        EXPECT_TRUE(isRefused("\"density\":40.0", std::string("\"density\":") + value)) << value;
+    EXPECT_TRUE(isRefused("\"unit_bits\":16", "\"unit_bits\":25"));
+    EXPECT_TRUE(isRefused("\"unit_bits\":16", "\"unit_bits\":16.5"));
+    EXPECT_TRUE(isRefused("\"unit_bits\":16", "\"unit_bits\":-16"));
+    EXPECT_TRUE(isRefused("\"stored\":0.0", "\"stored\":1.1"));
+    EXPECT_TRUE(isRefused("\"species\":[", "\"species\":[],\"other\":["));
     EXPECT_TRUE(isRefused("\"levels\":2", "\"levels\":11"));
     EXPECT_TRUE(isRefused("\"unit_bits\":16", "\"unit_bits\":10"));
     EXPECT_TRUE(isRefused("\"scale\":1.0", "\"scale\":0"));
@@ -289,12 +243,63 @@ TEST(SeedsInAFile, DegenerateTrianglesAndUpVectorsGrowFiniteBlades)
     cell.vertices[2] = cell.vertices[0];
     cell.vertices[0].up = cell.vertices[1].up = cell.vertices[2].up =
         511U | 511U << 10U | 511U << 20U;
-    const Field field = seededField();
+    const Field field = tests::seeded(tests::sampleField());
     const Sower sower(*field.seeds->view.meadow, field.species, field.origin);
     const SownCell sown = sower.sow(cell, {});
     EXPECT_GE(sown.blades.size(), 320U);
     for (const shared::PackedBlade& blade : sown.blades)
         EXPECT_EQ(blade.rootZUp >> 16U, 127U | 254U << 8U) << "upright";
+}
+
+TEST(SeedsInAFile, AreComparedNumberByNumber)
+{
+    const auto comparedWith = [](const std::function<void(Seeds&)>& change) {
+        const Field first = tests::seeded(tests::sampleField());
+        Field second = first;
+        Seeds seeds = first.seeds->seeds;
+        change(seeds);
+        second.seeds = std::make_shared<const SharedSeeds>(std::move(seeds));
+        return compare(viewOf(first), viewOf(second), glm::dmat4(1.0), Match::id, 1e-3);
+    };
+    const auto addCell = [](Seeds& seeds, const std::function<void(SeedCell&)>& change) {
+        SeedCell cell = seedCell();
+        change(cell);
+        addSeedCell(seeds, cell);
+    };
+    EXPECT_TRUE(comparedWith([](Seeds&) {}).reasons.empty());
+    Comparison found = comparedWith([](Seeds& seeds) {
+        seeds.meadow.drifts = 0.5f;
+        seeds.meadow.species[1].ribbons = 4;
+    });
+    ASSERT_EQ(found.reasons.size(), 1U);
+    EXPECT_NE(found.reasons[0].find("drifts 0.0 and 0.5, species 1: ribbons 0 and 4"),
+              std::string::npos)
+        << found.reasons[0];
+    found = comparedWith([&](Seeds& seeds) {
+        addCell(seeds, [](SeedCell& cell) { cell.cell = {0, 0, 0}; });
+    });
+    EXPECT_EQ(found.seeds.onlySecond, 1U);
+    EXPECT_EQ(found.seeds.differ, 0U);
+    EXPECT_EQ(found.reasons.size(), 1U);
+    found = comparedWith([&](Seeds& seeds) {
+        seeds.cells.clear();
+        seeds.data.clear();
+        addCell(seeds, [](SeedCell& cell) { cell.conditions[0].look ^= 1U; });
+    });
+    EXPECT_EQ(found.seeds.differ, 1U);
+    EXPECT_EQ(found.reasons.size(), 1U);
+
+    // One without seeds, and one that a transform has moved.
+    const Field seeded = tests::seeded(tests::sampleField());
+    const Field plain = tests::sampleField();
+    found = compare(viewOf(seeded), viewOf(plain), glm::dmat4(1.0), Match::id, 1e-3);
+    ASSERT_EQ(found.reasons.size(), 1U);
+    EXPECT_EQ(found.reasons[0], "only the first field has seeds");
+    glm::dmat4 moved(1.0);
+    moved[3].x = 1e-9;
+    found = compare(viewOf(seeded), viewOf(plain), moved, Match::id, 1e-3);
+    EXPECT_FALSE(found.comparesSeeds);
+    EXPECT_TRUE(found.reasons.empty());
 }
 
 } // namespace
