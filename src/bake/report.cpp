@@ -71,7 +71,8 @@ std::string toJson(const Report& report)
     if (report.seeds.cells > 0)
         object["seeds"] = {{"cells", report.seeds.cells},
                            {"bytes", report.seeds.bytes},
-                           {"blades", report.seeds.blades}};
+                           {"blades", report.seeds.blades},
+                           {"stored", report.seeds.stored}};
     object["warnings"] = report.warnings;
     return jsonText(object, 2) + "\n";
 }

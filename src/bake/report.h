@@ -105,7 +105,8 @@ struct Report {
     struct Seeds {
         std::uint64_t cells = 0; ///< of 32 m; 0: none
         std::uint64_t bytes = 0; ///< in the file
-        double blades = 0.0;     ///< that would grow before any filter, ribbons included
+        double blades = 0.0;     ///< that grow in all, ribbons included: told by the stored ones
+        double stored = 0.0;     ///< [0, 1] share of them that the field's own blades are
     } seeds;                     ///< what bears instead of blades
     std::vector<std::string> warnings; ///< readable text, in order of occurrence
 };

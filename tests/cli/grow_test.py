@@ -67,6 +67,46 @@ class Grow(CliTest):
                 self.assertGreater(len(roots), 300)
                 self.assertLess(counts.var() / counts.mean(), 0.8)
 
+    def test_fields_with_seeds_are_compared(self):
+        seeded = self.seeded()
+        told = self.sward("compare", seeded, self.seeded("--threads", 1, to="again.sward")).stdout
+        self.assertRegex(told, r"cells that differ +0\n")
+        self.assertIn("the same\n", told)
+        other = self.seeded("--set", "drifts=0", to="other.sward")
+        told = self.sward("compare", seeded, other, code=7).stdout
+        self.assertRegex(told, r"different: the meadows of the seeds differ.*drifts 0\.8\d* and 0\.0\n")
+        told = self.sward("compare", seeded, self.bake(*HILLS, to="plain.sward"), code=7).stdout
+        self.assertIn("different: only the first field has seeds\n", told)
+        self.write_json("still.json", {"translation": [1e-9, 0, 0]})
+        told = self.sward("compare", seeded, seeded, "--transform", "still.json").stdout
+        self.assertIn("not compared", told)
+        self.assertIn("the same but for the seeds\n", told)
+
+    def test_exports_grow_the_blades_or_say_that_they_do_not(self):
+        seeded = self.seeded("--budget", 3000)
+        stored = self.info(seeded)["blades"]
+        done = self.sward("export", seeded, "-o", "stored.csv")
+        self.assertRegex(done.stderr, r"only the stored blades are exported, 0\.0\d+ of.*--around")
+        self.assertEqual(len((self.folder / "stored.csv").read_text().splitlines()), stored + 1)
+        grown = self.grow(seeded, "--around", "3,0,-2,6")
+        done = self.sward("export", seeded, "-o", "near.csv", "--around", "3,0,-2,6")
+        self.assertNotIn("stored", done.stderr)
+        self.sward("export", grown, "-o", "grown.csv")
+        self.assertEqual((self.folder / "near.csv").read_bytes(), (self.folder / "grown.csv").read_bytes())
+        picture = ("--size", "16x9", "--samples", "2", "--eye", "3,6,6", "--target", "3,0,-2")
+        done = self.sward("trace", seeded, "-o", "near.exr", *picture, "--around", "3,0,-2,6")
+        self.assertNotIn("stored", done.stderr)
+        self.sward("trace", grown, "-o", "grown.exr", *picture)
+        self.assertEqual((self.folder / "near.exr").read_bytes(), (self.folder / "grown.exr").read_bytes())
+        done = self.sward("trace", seeded, "-o", "stored.exr", *picture)
+        self.assertIn("only the stored blades are traced", done.stderr)
+        plain = self.bake(*HILLS, to="plain.sward")
+        for command, to in (("export", "a.csv"), ("trace", "a.exr")):
+            self.refused(command, plain, "-o", to, "--share", 1, code=USAGE, names=["plain.sward", "seeds"])
+            self.refused(command, seeded, "-o", to, "--around", "1,2", code=USAGE, names=["--around"])
+            self.refused(command, seeded, "-o", to, "--share", 1, "--max-blades", 10, code=INPUT,
+                         names=["--max-blades"])
+
     def test_programs_tell_of_seeds(self):
         told = self.sward("bake", *HILLS, "-o", "f.sward", "--seeds", "always", "--budget", 5000, "--report",
                           "r.json").stdout
@@ -77,7 +117,15 @@ class Grow(CliTest):
         told = json.loads(self.sward("info", "f.sward", "--json").stdout)
         self.assertEqual(told["seeds"]["cells"], report["seeds"]["cells"])
         self.assertLess(told["blades"] + told["ribbons"], 5200)
-        self.sward("validate", "f.sward")
+        # The stored blades tell how many there would be, to a few in a hundred.
+        self.assertEqual(told["seeds"]["stored"], report["seeds"]["stored"])
+        all_blades = told["seeds"]["blades"] + told["seeds"]["ribbons"]
+        self.assertAlmostEqual(all_blades, report["seeds"]["blades"], delta=2)
+        grown = self.info(self.grow("f.sward"))
+        self.assertAlmostEqual(grown["blades"] / told["seeds"]["blades"], 1.0, delta=0.05)
+        self.assertIn("seeds in", self.sward("validate", "f.sward").stdout)
+        # What cannot be grown is refused before it is tried.
+        told = self.refused("grow", "f.sward", "-o", "g.sward", "--max-blades", 20, code=INPUT, names=["--max-blades"])
 
     def test_what_cannot_be_done_is_refused(self):
         self.refused("bake", *HILLS, "-o", "f.sward", "--seeds", "maybe", code=USAGE, names=["--seeds", "maybe"])

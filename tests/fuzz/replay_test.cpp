@@ -65,6 +65,29 @@ TEST_P(FuzzReplay, EverySampleEndsWell)
     EXPECT_GT(count, 0U);
 }
 
+// The fuzzer mends hashes, so that each change reaches the seeds.
+TEST(FuzzedSeeds, EveryChangedByteEndsWell)
+{
+    for (const Sample& sample : samples()) {
+        if (sample.name != "seeded_mixed.sward")
+            continue;
+        const std::string& whole = sample.bytes;
+        const auto end = [&](const std::string& bytes) {
+            const MemoryPeak peak;
+            fieldReader(bytesOf(bytes));
+            EXPECT_LE(peak.bytes(), memoryLimit(bytes.size()));
+        };
+        for (std::size_t at = 0; at < whole.size(); ++at)
+            for (const int change : {1, 128, 255}) {
+                std::string changed = whole;
+                changed[at] = static_cast<char>(changed[at] ^ change);
+                end(changed);
+            }
+        for (std::size_t size = 0; size < whole.size(); size += 7)
+            end(whole.substr(0, size));
+    }
+}
+
 TEST(MemoryPeak, CountsWhatIsHeldAtOneTime)
 {
     const MemoryPeak peak;

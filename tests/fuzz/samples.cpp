@@ -12,6 +12,7 @@
 #include "terrain/load.h"
 #include "terrain/recipe.h"
 #include "trace/blade_poses.h"
+#include "unit/field/sample_seeds.h"
 #include "unit/terrain/gltf/compressed_glb.h"
 #include "unit/terrain/image_files.h"
 #include "unit/terrain/mesh_files/mesh_text.h"
@@ -233,6 +234,25 @@ void addFields(std::vector<Sample>& all)
     add("empty.sward", test::emptyField());
     add("cloud.sward", test::makeField({.surface = test::Surface::cloud, .blades = 40}));
     add("sphere.sward", test::makeField({.surface = test::Surface::sphere, .blades = 300}));
+    field::Field seeded =
+        tests::seeded(test::makeField({.surface = test::Surface::cloud, .blades = 40}));
+    add("seeded.sward", seeded);
+    // Two cells of a meadow whose species vary from place to place, with bits and a large triangle.
+    field::Seeds seeds;
+    seeds.meadow = seeded.seeds->seeds.meadow;
+    seeds.meadow.isMixed = true;
+    field::SeedCell cell = tests::seedCell();
+    field::addSeedCell(seeds, cell);
+    cell.cell = {0, 0, 0};
+    cell.pieces[0].form = 3U | 2U << 5U | 1U << 10U | 1U << 18U;
+    cell.pieces[0].count = 10;
+    cell.pieces[0].bits = static_cast<std::uint32_t>(cell.words.size());
+    cell.words.push_back(0x3ffU);
+    cell.conditions.resize(4, cell.conditions[0]);
+    cell.conditions[2].growth = 0;
+    field::addSeedCell(seeds, cell);
+    seeded.seeds = std::make_shared<const field::SharedSeeds>(std::move(seeds));
+    add("seeded_mixed.sward", seeded);
     std::filesystem::remove(path);
 }
 
@@ -314,6 +334,7 @@ void addTileFiles(std::vector<Sample>& all)
     cell.patches.resize(1);
     cell.blades.resize(2);
     cell.keys.resize(2);
+    field::addSeedCell(tile.seeds, tests::seedCell());
     bake::writeTile(bake::tilePath(folder, 0), tileFilesId, tile);
     add("tile", 1, bake::tilePath(folder, 0));
 
@@ -323,6 +344,9 @@ void addTileFiles(std::vector<Sample>& all)
     plan.arguments = {"--density=2", "--", "a.glb"};
     bake::writePlan(folder / "plan.json", plan, true);
     add("plan.json", 3, folder / "plan.json");
+    plan.plan.seeds = tests::seedMeadow(1);
+    bake::writePlan(folder / "plan.json", plan, true);
+    add("sown_plan.json", 3, folder / "plan.json");
     std::filesystem::remove_all(folder);
 }
 

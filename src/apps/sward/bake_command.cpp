@@ -77,21 +77,12 @@ public:
               "M~SOFT keeps no root up to M and every root from M + SOFT on.")
     {
         options_.add(app());
-        app()
-            .add_option("--seeds", seeds_,
-                        "Whether the field holds what bears, and only blades of the lowest ranks: "
-                        "'sward grow' grows the others; auto: where the closed sward exceeds "
-                        "--budget; never is the default until devices grow them, too")
-            ->type_name("auto|always|never")
-            ->group("Run")
-            ->capture_default_str();
     }
 
     int run() const override
     {
         options_.log.apply();
         BakeRequest request = options_.request();
-        request.settings.seeds = bake::parseSeedUse(seeds_);
         if (request.dryRun && request.settings.seeds != bake::SeedUse::never)
             fail(ErrorKind::usage, "--dry-run estimates no seeds; leave --seeds out");
         if (options_.printConfig) {
@@ -142,7 +133,6 @@ public:
 
 private:
     BakeOptions options_;
-    std::string seeds_ = "never";
 };
 
 } // namespace

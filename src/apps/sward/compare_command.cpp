@@ -39,6 +39,17 @@ std::string tableOf(const field::FieldView& first, const field::FieldView& secon
         fmt::format("{:.4g} %", 100.0 * found.largestHeightDifference));
     row("largest width difference", fmt::format("{:.4g} %", 100.0 * found.largestWidthDifference));
     row("blades of different traits", fmt::format("{}", found.traitsDiffer));
+    if (first.seeds == nullptr && second.seeds == nullptr)
+        return text;
+    if (!found.comparesSeeds) {
+        row("seeds", "not compared: a transform moves them to other cells");
+        return text;
+    }
+    row("cells of seeds in A", fmt::format("{}", found.seeds.first));
+    row("cells of seeds in B", fmt::format("{}", found.seeds.second));
+    row("cells only in A", fmt::format("{}", found.seeds.onlyFirst));
+    row("cells only in B", fmt::format("{}", found.seeds.onlySecond));
+    row("cells that differ", fmt::format("{}", found.seeds.differ));
     return text;
 }
 
@@ -50,7 +61,8 @@ public:
               "sward compare a.sward b.sward --transform turn.json --match id\n\n"
               "A transform is JSON: {\"matrix\": M} or M alone, where M is four rows of four\n"
               "numbers, three rows of three, or sixteen numbers column by column as in glTF; or\n"
-              "{\"rotation\": [x, y, z, w], \"translation\": [x, y, z], \"scale\": s}.")
+              "{\"rotation\": [x, y, z, w], \"translation\": [x, y, z], \"scale\": s}.\n\n"
+              "Seeds are compared number by number, but not under a transform.")
     {
         app().add_option("A", first_, "First field file")->type_name("")->required();
         app().add_option("B", second_, "Second field file")->type_name("")->required();
@@ -92,8 +104,10 @@ public:
         std::string text = tableOf(first.view(), second.view(), found, match);
         for (const std::string& reason : found.reasons)
             text += "different: " + reason + "\n";
+        const bool hasSeeds = first.view().seeds != nullptr || second.view().seeds != nullptr;
         if (found.reasons.empty())
-            text += "the same\n";
+            text +=
+                hasSeeds && !found.comparesSeeds ? "the same but for the seeds\n" : "the same\n";
         writeResult(text);
         return found.reasons.empty() ? 0 : static_cast<int>(ErrorKind::difference);
     }

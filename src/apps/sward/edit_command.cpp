@@ -55,7 +55,7 @@ public:
         options_.add(app());
         options_.needsOutput = false;
         for (const char* name : {"--output", "--report", "--dry-run", "--force", "--print-config",
-                                 "--paint-mask", "--paint-mask-size"})
+                                 "--paint-mask", "--paint-mask-size", "--seeds"})
             app().remove_option(app().get_option(name));
         app()
             .add_option("--field", field_,

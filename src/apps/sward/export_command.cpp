@@ -5,6 +5,7 @@
 #include "apps/common/terminal/progress_bar.h"
 #include "apps/common/version.h"
 #include "apps/sward/files/output_files.h"
+#include "apps/sward/options/growth_options.h"
 #include "apps/sward/subcommand.h"
 #include "apps/sward/text/bake_summary.h"
 #include "core/error.h"
@@ -18,6 +19,7 @@
 #include <fmt/core.h>
 
 #include <filesystem>
+#include <optional>
 
 namespace sward::apps {
 namespace {
@@ -63,6 +65,7 @@ public:
         app().add_flag("--with-ground", settings_.withGround,
                        "Write the drawn ground too (.glb only)");
         app().add_flag("--force", settings_.overwrite, "Overwrite an existing file");
+        growth_.add(app(), "Of a field with seeds");
         log_.add(app());
         log_.addBar(app());
     }
@@ -84,9 +87,12 @@ public:
         ProgressBar bar(log_.showBar());
         Progress progress(bar.callback());
         const CancelOnInterrupt cancel(progress);
-        format.write(field.view(), output_, settings, progress);
+        const std::optional<field::Field> grown =
+            growth_.grownOf(field.view(), 0, file_, "exported", progress);
+        const field::FieldView view = grown ? field::viewOf(*grown) : field.view();
+        format.write(view, output_, settings, progress);
         bar.clear();
-        writeResult(fmt::format("{}: {} blades, {}\n", output_, field::rootedBlades(field.view()),
+        writeResult(fmt::format("{}: {} blades, {}\n", output_, field::rootedBlades(view),
                                 sizeText(std::filesystem::file_size(output_))));
         return 0;
     }
@@ -95,6 +101,7 @@ private:
     std::string file_;
     std::string output_;
     interchange::ExportSettings settings_;
+    GrowthOptions growth_;
     LogSwitches log_;
 };
 

@@ -6,7 +6,9 @@
 #include "apps/sward/options/bake_arguments.h"
 #include "apps/sward/subcommand.h"
 #include "apps/sward/text/bake_summary.h"
+#include "bake/seeds/seeded_field.h"
 #include "bake/settings/threads.h"
+#include "bake/tiles/stored_seeds.h"
 #include "bake/tiles/tile_files.h"
 #include "bake/whole/field_header.h"
 #include "bake/whole/report_totals.h"
@@ -21,6 +23,7 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <memory>
 
 namespace sward::apps {
 namespace {
@@ -96,6 +99,7 @@ public:
         std::vector<std::uint32_t> missing;
         std::vector<std::uint32_t> damaged;
         bake::StoredCells cells;
+        bake::StoredSeeds seeds;
         for (std::uint32_t i = 0; i < plan.tiles; ++i) {
             std::error_code ignored;
             if (!fs::exists(bake::tilePath(folder_, i), ignored))
@@ -110,8 +114,10 @@ public:
                 const fs::path path = bake::tilePath(folder_, i);
                 bake::StoredTile stored = bake::readTile(path, plan.id);
                 totals.add(stored.tile);
-                if (missing.empty() && damaged.empty())
+                if (missing.empty() && damaged.empty()) {
                     cells.add(std::move(stored.tile.cells), stored.stretch, path);
+                    seeds.add(std::move(stored.tile.seeds.cells), stored.seedBytes, path);
+                }
             } catch (const Error& error) {
                 log::warn("{}", error.what());
                 damaged.push_back(i);
@@ -138,6 +144,10 @@ public:
         report.warnings.insert(report.warnings.end(), warnings.begin(), warnings.end());
         field::Field field = fieldWithoutBlades(plan_);
         cells.layOut(field);
+        if (plan.plan.seeds) {
+            field.seeds = std::make_shared<const field::SharedSeeds>(seeds.join(*plan.plan.seeds));
+            report.seeds = bake::seedsReport(field.seeds->seeds, cells.count());
+        }
         report.timing.patches = watch.lap();
         report.output = {output_, field::writeField(field, cells, output_, force_),
                          field.patches.size()};

@@ -8,6 +8,7 @@
 #include "apps/sward/options/ground_input.h"
 #include "apps/sward/subcommand.h"
 #include "apps/sward/text/bake_summary.h"
+#include "bake/seeds/seed_bake.h"
 #include "bake/settings/stroke_file.h"
 #include "bake/settings/threads.h"
 #include "bake/tiles/tile_files.h"
@@ -95,10 +96,11 @@ public:
             log::warn("{}", warning);
         if (const std::string line = colorLine(plan.report); !line.empty())
             log::info("{}", line);
-        writeResult(
-            fmt::format("{}: {} tiles of about {:.3g} blades, {} of {} triangles in parts\n",
-                        output.string(), plan.tiles, plan.plan.plan.expected / double(plan.tiles),
-                        triangles, ground.triangles.size()));
+        const double stored = plan.plan.seeds ? plan.plan.seeds->stored : 1.0;
+        writeResult(fmt::format(
+            "{}: {} tiles of about {:.3g} blades{}, {} of {} triangles in parts\n", output.string(),
+            plan.tiles, stored * plan.plan.plan.expected / double(plan.tiles),
+            plan.plan.seeds ? ", with seeds of all" : "", triangles, ground.triangles.size()));
         return 0;
     }
 
@@ -116,15 +118,20 @@ private:
     {
         const bake::BakeSettings& settings = request.settings;
         const terrain::SurfaceFeatures features = bake::featuresOf(ground, settings);
-        plan.plan = bake::planWhole({ground, features}, settings, diagnostics, progress);
+        const bool isSown = bake::writesSeeds(ground, settings);
+        plan.plan =
+            bake::planWhole({ground, features}, isSown ? bake::fullSettings(settings) : settings,
+                            diagnostics, progress);
+        if (isSown)
+            bake::planSeeds(ground, settings, plan.plan);
         bake::Report& report = plan.report;
         report = bake::reportOf(ground, settings, 0);
         report.maskChosen = request.choosesMask;
         report.input.path = fmt::format("{}", fmt::join(request.inputs, ", "));
         report.bladeScale = plan.plan.plan.scale;
         report.warnings = diagnostics.warnings();
-        plan.id = fmt::format("{}-{:016x}-{}", report.input.hash, digestOf(bake::toJson(settings)),
-                              plan.tiles);
+        plan.id = fmt::format("{}-{:016x}-{}{}", report.input.hash,
+                              digestOf(bake::toJson(settings)), plan.tiles, isSown ? "-seeds" : "");
 
         PartsFolder parts(bake::partsFolder(output));
         field::writeField(bake::fieldWithoutBlades(ground, settings, plan.plan, report),
@@ -135,7 +142,8 @@ private:
             image.rgba = {};
         const std::vector<std::vector<bake::CellNumber>> tiles =
             bake::dealTiles(ground, plan.tiles);
-        const double margin = bake::tileMargin(ground, settings, plan.plan);
+        const double margin = isSown ? bake::seedMargin(ground, settings, plan.plan)
+                                     : bake::tileMargin(ground, settings, plan.plan);
         const std::vector<std::vector<std::uint32_t>> near =
             bake::trianglesNear(ground, tiles, margin);
         progress.begin("plan", tiles.size());

@@ -6,6 +6,8 @@
 #include "apps/sward/options/bake_arguments.h"
 #include "apps/sward/options/excluded_input.h"
 #include "apps/sward/subcommand.h"
+#include "apps/sward/text/bake_summary.h"
+#include "bake/seeds/seeded_field.h"
 #include "bake/settings/stroke_file.h"
 #include "bake/settings/threads.h"
 #include "bake/tiles/tile_files.h"
@@ -87,13 +89,20 @@ public:
         if (!ground.cells.empty() && !ground.ground.triangles.empty())
             bake::withThreads(bake::threadCount(threads_), [&] {
                 const bake::TileRegion region(ground.ground.origin, ground.cells);
-                tile = bake::bakeTile({ground.ground, ground.features}, request.settings, plan.plan,
-                                      &region, progress);
+                const bake::GroundView part{ground.ground, ground.features};
+                tile =
+                    plan.plan.seeds
+                        ? bake::bakeSeededTile(part, request.settings, plan.plan, &region, progress)
+                        : bake::bakeTile(part, request.settings, plan.plan, &region, progress);
             });
         bar.clear();
         bake::writeTile(output, plan.id, tile);
-        writeResult(fmt::format("{}: {} blades in {} cells\n", output.string(), tile.counts.kept,
-                                tile.cells.size()));
+        const std::string seeds =
+            plan.plan.seeds ? fmt::format(", seeds in {} cells ({})", tile.seeds.cells.size(),
+                                          sizeText(tile.seeds.data.size()))
+                            : std::string();
+        writeResult(fmt::format("{}: {} blades in {} cells{}\n", output.string(), tile.counts.kept,
+                                tile.cells.size(), seeds));
         return 0;
     }
 

@@ -5,6 +5,7 @@
 #include "apps/common/terminal/progress_bar.h"
 #include "apps/sward/files/output_files.h"
 #include "apps/sward/files/traced_picture.h"
+#include "apps/sward/options/growth_options.h"
 #include "apps/sward/options/trace_options.h"
 #include "apps/sward/subcommand.h"
 #include "apps/sward/text/bake_summary.h"
@@ -21,6 +22,7 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <optional>
 
 namespace sward::apps {
 namespace {
@@ -33,6 +35,7 @@ public:
                      "sward trace meadow.sward -o truth.exr --samples 256 --layers all")
     {
         options_.add(app());
+        growth_.add(app(), "Of a field with seeds");
         log_.add(app());
         log_.addBar(app());
     }
@@ -51,19 +54,22 @@ public:
 
         requireField(options_.field);
         const field::MappedField file = field::readField(options_.field);
-        const field::FieldView view = file.view();
-        bake::withThreads(bake::threadCount(options_.threads), [&] { trace(view, isPng); });
+        ProgressBar bar(log_.showBar());
+        Progress progress(bar.callback());
+        const CancelOnInterrupt cancel(progress);
+        const std::optional<field::Field> grown =
+            growth_.grownOf(file.view(), options_.threads, options_.field, "traced", progress);
+        const field::FieldView view = grown ? field::viewOf(*grown) : file.view();
+        bake::withThreads(bake::threadCount(options_.threads),
+                          [&] { trace(view, isPng, bar, progress); });
         return 0;
     }
 
 private:
-    void trace(const field::FieldView& view, bool isPng) const
+    void trace(const field::FieldView& view, bool isPng, ProgressBar& bar, Progress& progress) const
     {
         Stopwatch watch;
         const double processorBefore = processorSeconds();
-        ProgressBar bar(log_.showBar());
-        Progress progress(bar.callback());
-        const CancelOnInterrupt cancel(progress);
         progress.begin("scene", 1);
         const std::vector<trace::BladePose> poses = options_.poses.empty()
                                                         ? trace::restingPoses(view)
@@ -121,6 +127,7 @@ private:
     static constexpr std::uint32_t samplesAtOnce = 16;
 
     TraceOptions options_;
+    GrowthOptions growth_;
     LogSwitches log_;
 };
 

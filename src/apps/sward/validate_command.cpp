@@ -27,11 +27,15 @@ public:
         // Reading validates, but for the insides of cells of seeds: it throws at the first error.
         requireField(file_);
         const field::MappedField field = field::readField(file_);
-        if (const field::SeedsView* const seeds = field.view().seeds)
+        std::string seedsToo;
+        if (const field::SeedsView* const seeds = field.view().seeds) {
             for (std::size_t i = 0; i < seeds->cells.size(); ++i)
                 field::readSeedCell(*seeds, i, file_);
-        writeResult(fmt::format("{}: valid, {} blades in {} patches\n", file_,
-                                field::rootedBlades(field.view()), field.view().patches.size()));
+            seedsToo = fmt::format(", seeds in {} cells", seeds->cells.size());
+        }
+        writeResult(fmt::format("{}: valid, {} blades in {} patches{}\n", file_,
+                                field::rootedBlades(field.view()), field.view().patches.size(),
+                                seedsToo));
         return 0;
     }
 

@@ -201,11 +201,40 @@ std::vector<CellTree> growSeeds(const field::SeedsView& seeds,
     return trees;
 }
 
+namespace {
+
+bool isEverywhere(const field::SowRegion& region)
+{
+    bool holdsAll = !(region.radius < field::SowRegion::unbounded);
+    for (glm::length_t axis = 0; axis < 3; ++axis)
+        holdsAll = holdsAll && !(region.low[axis] > -field::SowRegion::unbounded) &&
+                   !(region.high[axis] < field::SowRegion::unbounded);
+    return holdsAll;
+}
+
+// The stored blades tell how many grow everywhere, before any does.
+void refuseTooMany(const field::FieldView& seeded, const Growth& growth, const std::string& place)
+{
+    constexpr double surely = 1.1;
+    const double stored = seeded.seeds->meadow->stored;
+    if (!isEverywhere(growth.region) || stored <= 0.0 || seeded.blades.size() < 10'000)
+        return;
+    const double all = double(seeded.blades.size()) / stored * double(growth.region.share);
+    if (all > surely * double(growth.maxBlades))
+        fail(ErrorKind::input,
+             "{}: about {:.3g} blades grow everywhere, more than --max-blades {}; --around, "
+             "--region or a smaller --share grows fewer",
+             place, all, growth.maxBlades);
+}
+
+} // namespace
+
 field::Field growField(const field::FieldView& seeded, const Growth& growth, int threads,
                        const std::string& place, Progress& progress)
 {
     requireUsage(seeded.seeds != nullptr, "{}: the field has no seeds; bake it with --seeds always",
                  place);
+    refuseTooMany(seeded, growth, place);
     field::Field grown;
     grown.origin = seeded.origin;
     grown.species.assign(seeded.species.begin(), seeded.species.end());

@@ -2,6 +2,7 @@
 
 #include "bake/blades/blade_traits.h"
 #include "bake/blades/clumps.h"
+#include "bake/filter/root_filter.h"
 #include "bake/filter/species_mix.h"
 #include "bake/plan/plan.h"
 #include "bake/plan/sward_cover.h"
@@ -33,6 +34,8 @@ constexpr std::uint32_t finestLevel = 10;
 // Blades of the lowest ranks that the field stores for the distance.
 constexpr double storedPerSquareMetre = 1.5; // at blade scale 1
 constexpr double minStored = 1e6;
+
+constexpr double widestStored = 2.0; // factor on their widths, as planBake()
 
 // Greatest factor of a blade's height by wide variation: as high as moisture of 1.5 makes it where
 // nothing is grazed.
@@ -153,6 +156,12 @@ field::SeedMeadow seedMeadowOf(const BakeSettings& settings, const Plan& plan)
     return meadow;
 }
 
+// Distance [m] from which a clump may own a blade.
+double clumpReach(const field::SeedMeadow& meadow)
+{
+    return 1.5 * meadow.clumpSpacing;
+}
+
 // Entries [begin, end) of one cell.
 template <typename T>
 std::pair<std::size_t, std::size_t> rangeOf(const std::vector<T>& list, const SeedCellNumber& cell,
@@ -195,20 +204,40 @@ BakeSettings fullSettings(const BakeSettings& settings)
     return full;
 }
 
-field::Seeds makeSeeds(const GroundView& whole, const BakeSettings& settings, const BakePlan& plan,
-                       Progress& progress)
+void planSeeds(const terrain::GroundMesh& ground, const BakeSettings& settings, BakePlan& plan)
 {
-    const terrain::GroundMesh& ground = whole.ground;
-    field::Seeds seeds;
-    seeds.meadow = seedMeadowOf(settings, plan.plan);
-    const double reach = 1.5 * seeds.meadow.clumpSpacing;
-    const SeedUnits units(ground, seeds.meadow.scale, reach);
-    seeds.meadow.unitBits = units.bits();
+    field::SeedMeadow& meadow = plan.seeds.emplace(seedMeadowOf(settings, plan.plan));
+    meadow.unitBits = SeedUnits(ground, meadow.scale, clumpReach(meadow)).bits();
+    // Fewer blades are wider, and the ground shows the rest of the sward.
+    const double missing = 1.0 / std::max(meadow.stored, 1e-9);
+    meadow.storedWidening = std::min(std::sqrt(missing), widestStored);
+    plan.plan.widening = meadow.storedWidening;
+    plan.plan.thinned = std::clamp(missing / meadow.storedWidening, 1.0, field::maxThinned);
+}
 
-    const RootFilter filter(ground, settings, whole.rays, &whole.features, plan.plan.scale);
-    const SeedSites sites(ground, settings, plan.plan.scale, seeds.meadow, filter, whole.rays,
-                          whole.features);
-    const SeedPlaces places = seedPlaces(ground, settings, units, seeds.meadow.clumpSpacing, reach);
+double seedMargin(const terrain::GroundMesh& ground, const BakeSettings& settings,
+                  const BakePlan& plan)
+{
+    // Conditions are sampled on whole parts, which may begin in a cell and end outside of it.
+    const double scale = plan.plan.scale;
+    return (widestPart + 2.0 * creaseReach(settings.meadow, scale) +
+            SeedSites::bareReach(settings, scale) +
+            reachOf(ground, settings, scale, plan.plan.clumpSpacing) + 1.0) *
+           1.001;
+}
+
+field::Seeds makeSeeds(const GroundView& part, const BakeSettings& settings, const BakePlan& plan,
+                       const TileRegion* tile, Progress& progress)
+{
+    const terrain::GroundMesh& ground = part.ground;
+    field::Seeds seeds;
+    seeds.meadow = *plan.seeds;
+    const SeedUnits units(seeds.meadow.unitBits);
+    const RootFilter filter(ground, settings, part.rays, &part.features, plan.plan.scale);
+    const SeedSites sites(ground, settings, plan.plan.scale, seeds.meadow, filter, part.rays,
+                          part.features);
+    const SeedPlaces places = seedPlaces(ground, settings, units, seeds.meadow.clumpSpacing,
+                                         clumpReach(seeds.meadow), tile);
     const SeedCells maker(ground, settings, seeds.meadow, units, sites);
 
     // The ranges of all cells that triangles touch, then batches of them: cells are made by several
@@ -218,11 +247,11 @@ field::Seeds makeSeeds(const GroundView& whole, const BakeSettings& settings, co
         std::pair<std::size_t, std::size_t> centres;
     };
     std::vector<Ranges> ranges;
-    for (std::size_t part = 0, centre = 0; part < places.parts.size();) {
-        const SeedCellNumber cell = places.parts[part].cell;
+    for (std::size_t next = 0, centre = 0; next < places.parts.size();) {
+        const SeedCellNumber cell = places.parts[next].cell;
         ranges.push_back(
-            {rangeOf(places.parts, cell, part), rangeOf(places.centres, cell, centre)});
-        part = ranges.back().parts.second;
+            {rangeOf(places.parts, cell, next), rangeOf(places.centres, cell, centre)});
+        next = ranges.back().parts.second;
         centre = ranges.back().centres.second;
     }
     progress.begin("seeds", ranges.size());

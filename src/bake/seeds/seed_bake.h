@@ -19,9 +19,19 @@ bool writesSeeds(const terrain::GroundMesh& ground, const BakeSettings& settings
 /// The settings of the full meadow that the seeds hold: with no budget.
 BakeSettings fullSettings(const BakeSettings& settings);
 
-/// The seeds of a ground. `plan` is that of fullSettings(). Throws Error{input} for ground that
-/// does not fit into cells, Error{interrupted} when cancelled.
-field::Seeds makeSeeds(const GroundView& whole, const BakeSettings& settings, const BakePlan& plan,
-                       Progress& progress);
+/// Settles what the seeds of all cells of a ground have in common: fills in `plan.seeds`, and how
+/// wide and how far from a closed sward the stored blades are. `plan` is that of fullSettings().
+/// Throws Error{input} for triangles too wide for the units of a cell.
+void planSeeds(const terrain::GroundMesh& ground, const BakeSettings& settings, BakePlan& plan);
+
+/// Width of the ground around its cells that a tile of seeds needs [m].
+double seedMargin(const terrain::GroundMesh& ground, const BakeSettings& settings,
+                  const BakePlan& plan);
+
+/// The seeds of a tile's cells; a null `tile` means all. `part` is the whole ground or partOf() it
+/// with at least seedMargin(), and has rays if needsRays(). A cell has the same bytes in any tile.
+/// Throws Error{input} for ground that does not fit into cells, Error{interrupted} when cancelled.
+field::Seeds makeSeeds(const GroundView& part, const BakeSettings& settings, const BakePlan& plan,
+                       const TileRegion* tile, Progress& progress);
 
 } // namespace sward::bake

@@ -24,6 +24,9 @@ namespace {
 constexpr double finestSample = 0.5;
 constexpr std::uint32_t maxGridSteps = 64;
 
+// Where nothing tells of change, parts of large triangles are sampled this densely first [m].
+constexpr double coarsestSample = 2.0;
+
 // Where the exposures of a triangle's corners differ by less, it varies linearly on the triangle.
 constexpr float evenExposure = 0.15f;
 
@@ -47,6 +50,32 @@ bool areEqual(const std::vector<shared::SeedConditions>& list)
 std::uint32_t densityOf(const shared::SeedConditions& conditions)
 {
     return conditions.growth & 65535U;
+}
+
+// Whether conditions vary so little that they are linear between the corners: without ground that
+// buries, bends or crushes blades.
+bool areEven(const std::vector<shared::SeedConditions>& list)
+{
+    constexpr std::uint32_t openRoom = 255;
+    constexpr std::uint32_t evenBytes = std::uint32_t(evenExposure * 255.0f);
+    std::uint32_t sparsest = 65535;
+    std::uint32_t densest = 0;
+    std::uint32_t darkest = 255;
+    std::uint32_t lightest = 0;
+    const shared::SeedConditions& first = list.front();
+    for (const shared::SeedConditions& one : list) {
+        const std::uint32_t exposure = one.growth >> 16U & 255U;
+        sparsest = std::min(sparsest, densityOf(one));
+        densest = std::max(densest, densityOf(one));
+        darkest = std::min(darkest, exposure);
+        lightest = std::max(lightest, exposure);
+        if (one.growth >> 24U != first.growth >> 24U || one.lean != first.lean ||
+            one.look >> 24U != first.look >> 24U || (one.size & 65535U) != (first.size & 65535U) ||
+            one.size >> 24U != openRoom)
+            return false;
+    }
+    return densest - sparsest <= evenDensity && (sparsest > 0 || densest == 0) &&
+           lightest - darkest <= evenBytes;
 }
 
 // The lowest `bits` bits of x whose image under a map of low bits to low bits is `wanted`.
@@ -163,8 +192,8 @@ private:
             std::floor(expected + roundingShare(of_.settings_.seed, piece.source, part.back != 0));
         if (count > maxCandidatesOfSide)
             fail(ErrorKind::input,
-                 "triangle {} of {:.6g} m² would bear {:.6g} blades, more than "
-                 "{}",
+                 "--seeds: triangle {} of {:.6g} m² would bear {:.6g} blades, more than {}; divide "
+                 "the ground into smaller ones, or lower --density",
                  piece.source, ground.area(part.triangle), count, maxCandidatesOfSide);
         piece.expected = static_cast<float>(expected);
         const auto all = static_cast<std::uint32_t>(count);
@@ -278,9 +307,11 @@ private:
         const std::array<std::uint32_t, 2> s = rangeOfS(part);
         std::vector<shared::SeedConditions> list;
         SampleGrid grid;
-        const CornerSites corners = sampleCorners(part, points, list);
-        if (corners.kind != CornerSites::Kind::linear) {
-            grid = gridOf(part, s);
+        const bool varies = of_.sites_.varies(part.triangle, boxOf(part, points, s));
+        const CornerSites corners = varies ? CornerSites() : sampleCorners(part, points, list);
+        if (corners.kind != CornerSites::Kind::linear &&
+            (varies || !isEvenPart(part, points, s, list))) {
+            grid = gridOf(part, s, finestSample);
             sampleGrid(part, points, s, grid, corners, list);
         }
         const bool isBare = std::all_of(list.begin(), list.end(),
@@ -315,7 +346,7 @@ private:
                               std::vector<shared::SeedConditions>& list)
     {
         CornerSites found;
-        if (part.p + part.q > 0 || of_.sites_.varies(part.triangle))
+        if (part.p + part.q > 0)
             return found;
         const glm::uvec3 corners = of_.ground_.triangles[part.triangle];
         std::array<shared::SeedConditions, 3> at;
@@ -346,8 +377,50 @@ private:
         return found;
     }
 
-    // Steps of a grid that samples the part densely enough.
-    SampleGrid gridOf(const SeedPart& part, const std::array<std::uint32_t, 2>& s) const
+    // Box of a part, whose image is a quadrilateral.
+    DAabb boxOf(const SeedPart& part, const TrianglePoints& points,
+                const std::array<std::uint32_t, 2>& s) const
+    {
+        DAabb box;
+        const glm::uvec3 corners = of_.ground_.triangles[part.triangle];
+        for (glm::length_t k = 0; part.p + part.q == 0 && k < 3; ++k)
+            box.add(glm::dvec3(of_.ground_.positions[corners[k]]));
+        for (std::uint32_t i = 0; part.p + part.q > 0 && i < 4; ++i)
+            box.add(
+                glm::dvec3(rootOn(part, points, s, double(i & 1U), double(i >> 1U), 0).position));
+        return box;
+    }
+
+    // The root at these shares of the way along s and v of a part.
+    RootSample rootOn(const SeedPart& part, const TrianglePoints& points,
+                      const std::array<std::uint32_t, 2>& s, double alongS, double alongV,
+                      std::uint32_t number) const
+    {
+        const double along = (double(s[0]) + double(s[1] - s[0]) * alongS) * 0x1p-32;
+        const double across = std::ldexp(double(part.v) + alongV, -int(part.q));
+        return rootAt(part, points, along * (1.0 - across), along * across, number);
+    }
+
+    // Whether samples of a few metres tell that conditions vary hardly on a part of a large
+    // triangle; then `list` has those of its corners.
+    bool isEvenPart(const SeedPart& part, const TrianglePoints& points,
+                    const std::array<std::uint32_t, 2>& s,
+                    std::vector<shared::SeedConditions>& list)
+    {
+        if (part.p + part.q == 0)
+            return false;
+        const SampleGrid grid = gridOf(part, s, coarsestSample);
+        sampleGrid(part, points, s, grid, CornerSites(), list);
+        if (!areEven(list))
+            return false;
+        const std::size_t lastRow = std::size_t(grid.alongV) * (grid.alongS + 1);
+        list = {list[0], list[grid.alongS], list[lastRow], list[lastRow + grid.alongS]};
+        return true;
+    }
+
+    // Steps of a grid whose samples are at most this far apart [m].
+    SampleGrid gridOf(const SeedPart& part, const std::array<std::uint32_t, 2>& s,
+                      double spacing) const
     {
         const glm::uvec3 corners = of_.ground_.triangles[part.triangle];
         const glm::dvec3 a(of_.ground_.positions[corners.x]);
@@ -357,8 +430,8 @@ private:
         const double along = farther * double(s[1] - s[0]) * 0x1p-32;
         const double across =
             glm::length(c - b) * double(s[1]) * 0x1p-32 * std::ldexp(1.0, -int(part.q));
-        const auto steps = [](double length) {
-            return std::clamp(static_cast<std::uint32_t>(std::ceil(length / finestSample)), 1U,
+        const auto steps = [&](double length) {
+            return std::clamp(static_cast<std::uint32_t>(std::ceil(length / spacing)), 1U,
                               maxGridSteps);
         };
         // Steps along s are counted in 2⁻¹⁶ of them.
@@ -373,13 +446,9 @@ private:
         std::uint32_t number = 0;
         for (std::uint32_t row = 0; row <= grid.alongV; ++row)
             for (std::uint32_t column = 0; column <= grid.alongS; ++column, ++number) {
-                const double along =
-                    (double(s[0]) + double(s[1] - s[0]) * double(column) / double(grid.alongS)) *
-                    0x1p-32;
-                const double across =
-                    std::ldexp(double(part.v) + double(row) / double(grid.alongV), -int(part.q));
                 const RootSample root =
-                    rootAt(part, points, along * (1.0 - across), along * across, number);
+                    rootOn(part, points, s, double(column) / double(grid.alongS),
+                           double(row) / double(grid.alongV), number);
                 if (corners.kind == CornerSites::Kind::evenRays) {
                     SeedRays rays;
                     rays.around.exposure = corners.at(root.barycentric);

@@ -17,9 +17,11 @@
 namespace sward::bake {
 namespace {
 
-constexpr double widestPart = 8.0;       // [m] extent of a part of a large triangle
 constexpr std::uint32_t finestPart = 14; // most leading bits of u and of v
 constexpr std::size_t trianglesPerSeedBlock = 8192;
+
+// Parts of one triangle; more would take all memory.
+constexpr std::uint64_t maxPartsOfTriangle = 10'000'000;
 
 // Cells that one triangle or clump may touch; more would take all memory.
 constexpr double maxCellsOfBox = 1e7;
@@ -181,6 +183,15 @@ SeedCellNumber SeedUnits::cellOf(const SeedCellNumber& cell, const glm::ivec3& p
             cell[2] + (place.z >> (bits_ + 5))};
 }
 
+CellNumber worldCell(const glm::dvec3& origin, const SeedCellNumber& cell)
+{
+    CellNumber number;
+    for (std::size_t axis = 0; axis < 3; ++axis)
+        number[axis] =
+            static_cast<std::int64_t>(origin[glm::length_t(axis)] / seedCellSide) + cell[axis];
+    return number;
+}
+
 std::array<std::uint32_t, 2> rangeOfS(const SeedPart& part)
 {
     const auto root = [&](std::uint64_t u) {
@@ -190,9 +201,30 @@ std::array<std::uint32_t, 2> rangeOfS(const SeedPart& part)
     return {root(part.u), root(std::uint64_t(part.u) + 1)};
 }
 
-SeedPlaces seedPlaces(const terrain::GroundMesh& ground, const BakeSettings& settings,
-                      const SeedUnits& units, double clumpSpacing, double reach)
+namespace {
+
+// Box of a triangle's corners in whole units. No blade is sown outside of it.
+PartBox boxOfUnits(const terrain::GroundMesh& ground, const SeedUnits& units, std::size_t triangle)
 {
+    const double unit = std::ldexp(1.0, -int(units.bits()));
+    PartBox box;
+    for (glm::length_t k = 0; k < 3; ++k) {
+        const std::array<std::int64_t, 3> corner =
+            units.of(ground.positions[ground.triangles[triangle][k]]);
+        box.add(unit * glm::dvec3(double(corner[0]), double(corner[1]), double(corner[2])));
+    }
+    return box;
+}
+
+} // namespace
+
+SeedPlaces seedPlaces(const terrain::GroundMesh& ground, const BakeSettings& settings,
+                      const SeedUnits& units, double clumpSpacing, double reach,
+                      const TileRegion* tile)
+{
+    const auto holds = [&](const SeedCellNumber& cell) {
+        return tile == nullptr || tile->holds(worldCell(ground.origin, cell));
+    };
     const std::size_t triangles = ground.triangles.size();
     const std::size_t blockCount = (triangles + trianglesPerSeedBlock - 1) / trianglesPerSeedBlock;
     std::vector<std::vector<SeedPlaces::Part>> parts(blockCount);
@@ -206,9 +238,20 @@ SeedPlaces seedPlaces(const terrain::GroundMesh& ground, const BakeSettings& set
             if (ground.bears[t] == 0)
                 continue;
             const SeedCorners corners = cornersOf(ground, t);
+            const PartBox reached = boxOfUnits(ground, units, t);
             const SeedPart whole{static_cast<std::uint32_t>(t), 0, 0, 0, 0, 0};
+            std::uint64_t count = 0;
             eachPart(corners, whole, [&](const SeedPart& part, const PartBox& box) {
-                eachCell(box.low - margin, box.high + margin, [&](const SeedCellNumber& cell) {
+                if (++count > maxPartsOfTriangle)
+                    fail(ErrorKind::input,
+                         "--seeds: triangle {} is too wide for parts of {} m; divide the ground "
+                         "into smaller ones",
+                         ground.source(t), widestPart);
+                const glm::dvec3 low = glm::max(box.low - margin, reached.low);
+                const glm::dvec3 high = glm::min(box.high + margin, reached.high);
+                eachCell(low, high, [&](const SeedCellNumber& cell) {
+                    if (!holds(cell))
+                        return;
                     SeedPart side = part;
                     if (settings.sides != Sides::back)
                         parts[block].push_back({cell, side});
@@ -221,7 +264,7 @@ SeedPlaces seedPlaces(const terrain::GroundMesh& ground, const BakeSettings& set
                 continue;
             // As Clumps scatters them.
             const std::uint64_t source = ground.source(t);
-            const auto count = static_cast<std::uint32_t>(
+            const auto clumps = static_cast<std::uint32_t>(
                 std::floor(1.0 / (clumpSpacing * clumpSpacing) * ground.area(t) +
                            uniform(clumpKey, source, 0)));
             const SeedCellNumber cell{static_cast<std::int32_t>(floorOf(corners.a.x / 32.0)),
@@ -231,12 +274,14 @@ SeedPlaces seedPlaces(const terrain::GroundMesh& ground, const BakeSettings& set
             const shared::SeedVertex a = units.in(cell, ground.positions[index.x]);
             const shared::SeedVertex b = units.in(cell, ground.positions[index.y]);
             const shared::SeedVertex c = units.in(cell, ground.positions[index.z]);
-            for (std::uint32_t i = 0; i < count; ++i) {
+            for (std::uint32_t i = 0; i < clumps; ++i) {
                 const glm::ivec3 place = shared::sowClumpPlace(
                     a, b, c, shared::sowClumpKey(clumpKey, static_cast<std::uint32_t>(source), i));
                 const glm::dvec3 centre = seedCellSide * glm::dvec3(cell[0], cell[1], cell[2]) +
                                           std::ldexp(1.0, -int(units.bits())) * glm::dvec3(place);
                 eachCell(centre - reach, centre + reach, [&](const SeedCellNumber& near) {
+                    if (!holds(near))
+                        return;
                     centres[block].push_back({near, {static_cast<std::uint32_t>(t), i}});
                 });
             }

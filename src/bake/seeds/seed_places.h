@@ -1,5 +1,6 @@
 #pragma once
 
+#include "bake/ground/tile_region.h"
 #include "bake/settings/settings.h"
 #include "shaders/shared/sow/seeds.h"
 #include "terrain/ground_mesh.h"
@@ -24,6 +25,12 @@ public:
     /// and 2²⁸ hold `reach` [m]; 2^−16 m, 15 µm, at blade scale 1. Throws Error{input} if there are
     /// none.
     SeedUnits(const terrain::GroundMesh& ground, double scale, double reach);
+
+    /// Units of 2^−bits m.
+    explicit SeedUnits(std::uint32_t bits)
+        : bits_(bits)
+    {
+    }
 
     std::uint32_t bits() const { return bits_; }
 
@@ -72,10 +79,19 @@ struct SeedPlaces {
     std::vector<Centre> centres; ///< by cell, triangle and number
 };
 
-/// Cuts large triangles into parts of about 8 m, lists the cells that the box of each part touches,
-/// and the cells within `reach` [m] of each centre of clumps `clumpSpacing` [m] apart.
+/// Largest extent of such a part along an axis [m], but for parts of triangles of hundreds of
+/// kilometres.
+inline constexpr double widestPart = 8.0;
+
+/// Cuts large triangles into parts, lists the cells that the box of each part touches, and the
+/// cells within `reach` [m] of each centre of clumps `clumpSpacing` [m] apart. Cells outside of
+/// `tile` are left out; null: none are.
 SeedPlaces seedPlaces(const terrain::GroundMesh& ground, const BakeSettings& settings,
-                      const SeedUnits& units, double clumpSpacing, double reach);
+                      const SeedUnits& units, double clumpSpacing, double reach,
+                      const TileRegion* tile);
+
+/// The same cell, counted from the origin of the world.
+CellNumber worldCell(const glm::dvec3& origin, const SeedCellNumber& cell);
 
 /// The least and the largest s = √u of a part, [2⁻³²].
 std::array<std::uint32_t, 2> rangeOfS(const SeedPart& part);

@@ -5,19 +5,16 @@
 #include "bake/filter/occluder_test.h"
 #include "bake/filter/up_vector.h"
 #include "bake/ground/drawn_colors.h"
-#include "core/math/floor.h"
 #include "core/random.h"
 
 #include <glm/geometric.hpp>
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace sward::bake {
 namespace {
-
-constexpr double bareCellSide = 2.0; // [m]
-constexpr double maxBareCells = 1e5; // of one triangle; larger ones count as being everywhere
 
 std::uint32_t fractionOf(double x, std::uint32_t whole)
 {
@@ -29,38 +26,26 @@ std::uint32_t byteOf(double x)
     return fractionOf(x, 255);
 }
 
-std::uint64_t bareCell(std::int64_t x, std::int64_t y, std::int64_t z)
+DAabb boxOfTriangle(const terrain::GroundMesh& ground, std::size_t triangle)
 {
-    return hashBits(hashBits(std::uint64_t(x), std::uint64_t(y)), std::uint64_t(z));
-}
-
-// Calls visit(cell) for the cells of a box; false if there are too many.
-template <typename Visit>
-bool eachBareCell(const Aabb& box, double reach, Visit visit)
-{
-    std::int64_t low[3];
-    std::int64_t high[3];
-    double count = 1.0;
-    for (glm::length_t axis = 0; axis < 3; ++axis) {
-        low[axis] = floorOf((double(box.low[axis]) - reach) / bareCellSide);
-        high[axis] = floorOf((double(box.high[axis]) + reach) / bareCellSide);
-        count *= double(high[axis] - low[axis] + 1);
-    }
-    if (count > maxBareCells)
-        return false;
-    for (std::int64_t x = low[0]; x <= high[0]; ++x)
-        for (std::int64_t y = low[1]; y <= high[1]; ++y)
-            for (std::int64_t z = low[2]; z <= high[2]; ++z)
-                visit(bareCell(x, y, z));
-    return true;
-}
-
-Aabb triangleBox(const terrain::GroundMesh& ground, std::size_t triangle)
-{
-    Aabb box;
+    DAabb box;
     for (glm::length_t corner = 0; corner < 3; ++corner)
-        box.add(ground.positions[ground.triangles[triangle][corner]]);
+        box.add(glm::dvec3(ground.positions[ground.triangles[triangle][corner]]));
     return box;
+}
+
+// Boxes around bare triangles. Blades change there: bare ground may bury or shade them, or be a
+// path.
+BoxTree bareBoxes(const terrain::GroundMesh& ground, double reach)
+{
+    std::vector<DAabb> boxes;
+    for (std::size_t t = 0; t < ground.triangles.size(); ++t)
+        if (ground.bears[t] == 0) {
+            DAabb& box = boxes.emplace_back(boxOfTriangle(ground, t));
+            box.low -= reach;
+            box.high += reach;
+        }
+    return BoxTree(std::move(boxes));
 }
 
 // Keeps the part of a crease within a box; false if there is none.
@@ -113,46 +98,35 @@ SeedSites::SeedSites(const terrain::GroundMesh& ground, const BakeSettings& sett
     , paths_(ground, settings, filter, &features, scale)
     , creases_(features.creases, creaseReach(settings.meadow, scale),
                settings.meadow.edges.creaseBlend)
+    , bare_(bareBoxes(ground, bareReach(settings, scale)))
 {
     if (rays != nullptr && settings.exposureRays > 0)
         sky_.emplace(ground, settings, settings.rayLength * scale, *rays,
                      settings.meadow.edges.occluderReach * scale);
     filtersVary_ = !settings.masks.empty() || !settings.excluded.empty() || needsGreen(settings) ||
                    !settings.border.holds(-unbounded, unbounded) || settings.clearance > 0.0 ||
-                   !settings.sky.holds(0.0, 1.0) || Cutout(ground, colorsAreMask_).isAny() ||
+                   !settings.sky.holds(0.0, 1.0) ||
                    std::any_of(settings.meadow.species.begin(), settings.meadow.species.end(),
                                [](const SpeciesTraits& one) { return hasMaskOf(one.habitat); });
-    markBare();
 }
 
-// Blades change near bare ground: it may bury or shade them, or be a path.
-void SeedSites::markBare()
+bool SeedSites::isCutOut(std::uint32_t triangle) const
 {
-    const EdgeTraits& edges = settings_.meadow.edges;
-    const double reach = std::max(2.0 * edges.occluderReach, edges.pathReach) * scale_ + 0.01;
-    for (std::size_t t = 0; t < ground_.triangles.size() && !isAllNearBare_; ++t)
-        if (ground_.bears[t] == 0)
-            isAllNearBare_ = !eachBareCell(triangleBox(ground_, t), reach,
-                                           [&](std::uint64_t cell) { bare_.insert(cell); });
+    return ground_.materials[ground_.materialOf[triangle]].alphaCutoff > 0.0f;
 }
 
-bool SeedSites::isNearBare(std::uint32_t triangle) const
+double SeedSites::bareReach(const BakeSettings& settings, double scale)
 {
-    if (isAllNearBare_)
-        return true;
-    bool isNear = false;
-    return !bare_.empty() &&
-           (!eachBareCell(triangleBox(ground_, triangle), 0.0,
-                          [&](std::uint64_t cell) { isNear = isNear || bare_.contains(cell); }) ||
-            isNear);
+    const EdgeTraits& edges = settings.meadow.edges;
+    return std::max(2.0 * edges.occluderReach, edges.pathReach) * scale + 0.01;
 }
 
-bool SeedSites::varies(std::uint32_t triangle) const
+bool SeedSites::varies(std::uint32_t triangle, const DAabb& part) const
 {
-    return filtersVary_ ||
+    return filtersVary_ || isCutOut(triangle) ||
            ground_.materials[ground_.materialOf[triangle]].image !=
                terrain::GroundMaterial::noImage ||
-           isNearBare(triangle);
+           bare_.meets(part);
 }
 
 SeedRays SeedSites::raysAt(const RootSample& root) const

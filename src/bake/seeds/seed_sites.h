@@ -5,6 +5,7 @@
 #include "bake/filter/exposure.h"
 #include "bake/filter/root_filter.h"
 #include "bake/ground/root_sample.h"
+#include "bake/paint/box_tree.h"
 #include "bake/settings/settings.h"
 #include "field/seeds/seeds.h"
 #include "shaders/shared/sow/seeds.h"
@@ -16,7 +17,6 @@
 
 #include <cstdint>
 #include <optional>
-#include <unordered_set>
 #include <vector>
 
 namespace sward::bake {
@@ -43,8 +43,12 @@ public:
     /// Whether a root grows in a plain bake: masks and filters against its chance, then obstacles.
     bool grows(const RootSample& root) const;
 
-    /// Whether conditions may vary inside of this triangle in a way that its corners do not tell.
-    bool varies(std::uint32_t triangle) const;
+    /// Whether conditions may vary inside of a part of this triangle, in this box, in a way that
+    /// samples of a few metres do not tell.
+    bool varies(std::uint32_t triangle, const DAabb& part) const;
+
+    /// Distance from bare ground within which it changes blades [m].
+    static double bareReach(const BakeSettings& settings, double scale);
 
     /// The up-vector at a root far from creases, packed.
     std::uint32_t upAt(const RootSample& root) const;
@@ -60,8 +64,7 @@ public:
     std::int32_t moistureOf(std::uint32_t triangle, glm::dvec3 place) const;
 
 private:
-    void markBare();
-    bool isNearBare(std::uint32_t triangle) const;
+    bool isCutOut(std::uint32_t triangle) const;
 
     const terrain::GroundMesh& ground_;
     const BakeSettings& settings_;
@@ -76,8 +79,7 @@ private:
     PathEdges paths_;
     CreaseBlend creases_;
     std::optional<Exposure> sky_;
-    std::unordered_set<std::uint64_t> bare_; ///< cells of 2 m near bare triangles
-    bool isAllNearBare_ = false;
+    BoxTree bare_; ///< of bare triangles, with the ground that they change
 };
 
 } // namespace sward::bake

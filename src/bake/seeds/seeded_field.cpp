@@ -1,7 +1,6 @@
 #include "bake/seeds/seeded_field.h"
 
 #include "bake/patches/patch_tree.h"
-#include "bake/plan/sward_cover.h"
 #include "bake/seeds/grow_field.h"
 #include "bake/seeds/seed_bake.h"
 #include "bake/settings/threads.h"
@@ -13,37 +12,66 @@
 
 #include <tbb/parallel_invoke.h>
 
-#include <algorithm>
-#include <cmath>
 #include <memory>
 #include <optional>
+#include <span>
 #include <utility>
+#include <vector>
 
 namespace sward::bake {
 namespace {
 
-constexpr double widestStored = 2.0; // factor on widths, as planBake()
-
-// Fewer blades are wider, and the ground shows the rest of the sward.
-void thinStored(Plan& plan, field::SeedMeadow& meadow)
-{
-    const double missing = 1.0 / std::max(meadow.stored, 1e-9);
-    plan.widening = std::min(std::sqrt(missing), widestStored);
-    plan.thinned = std::clamp(missing / plan.widening, 1.0, field::maxThinned);
-    meadow.storedWidening = plan.widening;
-}
-
-RootCounts storedRoots(const field::Field& field)
+// Stalks and blades alone; ribbons have no roots.
+RootCounts storedRoots(std::span<const CellTree> cells, std::span<const field::Species> species)
 {
     RootCounts counts;
-    const field::FieldView view = field::viewOf(field);
-    for (std::size_t i = 0; i < view.blades.size(); ++i)
-        counts.kept += std::uint64_t(!view.isRibbon(i));
+    field::FieldView view;
+    view.species = species;
+    for (const CellTree& cell : cells) {
+        view.blades = cell.blades;
+        for (std::size_t i = 0; i < view.blades.size(); ++i)
+            counts.kept += std::uint64_t(!view.isRibbon(i));
+    }
     counts.proposed = counts.kept;
     return counts;
 }
 
 } // namespace
+
+TileResult bakeSeededTile(const GroundView& part, const BakeSettings& settings,
+                          const BakePlan& plan, const TileRegion* tile, Progress& progress)
+{
+    TileResult result;
+    Stopwatch watch;
+    std::optional<terrain::SurfaceQuery> query;
+    GroundView view{part.ground, part.features, part.rays};
+    if (view.rays == nullptr && needsRays(part.ground, settings)) {
+        progress.begin("rays", 1);
+        view.rays = &query.emplace(part.ground);
+    }
+    result.timing.rays = watch.lap();
+    const double before = processorSeconds();
+    result.seeds = makeSeeds(view, settings, plan, tile, progress);
+    result.timing.sample = watch.lap();
+    result.timing.sampleBusy = processorSeconds() - before;
+
+    Growth growth;
+    growth.region.share = static_cast<float>(result.seeds.meadow.stored);
+    growth.widening = result.seeds.meadow.storedWidening;
+    const std::vector<field::Species> species = fieldSpecies(settings.meadow);
+    result.cells = growSeeds(field::viewOf(result.seeds), species, part.ground.origin, growth,
+                             "seeds", progress);
+    result.counts = storedRoots(result.cells, species);
+    result.timing.traits = watch.lap();
+    return result;
+}
+
+Report::Seeds seedsReport(const field::Seeds& seeds, std::size_t storedBlades)
+{
+    const double share = seeds.meadow.stored;
+    return {seeds.cells.size(), seeds.data.size(), share > 0.0 ? double(storedBlades) / share : 0.0,
+            share};
+}
 
 BakeResult bakeSeededField(const terrain::GroundMesh& ground, const BakeSettings& settings,
                            int threads, Diagnostics& diagnostics, Progress& progress)
@@ -69,27 +97,17 @@ BakeResult bakeSeededField(const terrain::GroundMesh& ground, const BakeSettings
                 report.timing.rays = own.lap();
             });
         const GroundView whole{ground, features, rays ? &*rays : nullptr};
-        watch.lap();
-        const double before = processorSeconds();
         BakePlan plan = planWhole(whole, fullSettings(settings), diagnostics, progress);
-        field::Seeds seeds = makeSeeds(whole, settings, plan, progress);
-        report.timing.sample = watch.lap();
-        report.timing.sampleBusy = processorSeconds() - before;
-        report.seeds = {seeds.cells.size(), seeds.data.size(),
-                        static_cast<double>(plan.plan.expected) * bladesPerRoot(settings.meadow)};
-        thinStored(plan.plan, seeds.meadow);
-
-        Growth growth;
-        growth.region.share = static_cast<float>(seeds.meadow.stored);
-        growth.widening = seeds.meadow.storedWidening;
-        result.field = fieldWithoutBlades(ground, settings, plan, report);
-        joinCells(growSeeds(field::viewOf(seeds), result.field.species, ground.origin, growth,
-                            "seeds", progress),
-                  result.field);
-        result.field.seeds = std::make_shared<const field::SharedSeeds>(std::move(seeds));
-        report.timing.traits = watch.lap();
+        planSeeds(ground, settings, plan);
+        TileResult tile = bakeSeededTile(whole, settings, plan, nullptr, progress);
         Totals totals;
-        totals.counts = storedRoots(result.field);
+        totals.add(tile);
+        result.field = fieldWithoutBlades(ground, settings, plan, report);
+        watch.lap();
+        joinCells(std::move(tile.cells), result.field);
+        report.timing.patches = watch.lap();
+        report.seeds = seedsReport(tile.seeds, result.field.blades.size());
+        result.field.seeds = std::make_shared<const field::SharedSeeds>(std::move(tile.seeds));
         finishReport(report, totals, settings, plan, diagnostics);
     });
     report.output.patches = result.field.patches.size();

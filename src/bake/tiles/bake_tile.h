@@ -7,12 +7,14 @@
 #include "bake/report.h"
 #include "bake/settings/settings.h"
 #include "core/progress.h"
+#include "field/seeds/seeds.h"
 #include "terrain/ground_mesh.h"
 #include "terrain/query/surface_query.h"
 #include "terrain/topology/surface_features.h"
 
 #include <array>
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 namespace sward::bake {
@@ -28,6 +30,7 @@ struct GroundView {
 struct BakePlan {
     Plan plan;
     RootPlan roots;
+    std::optional<field::SeedMeadow> seeds; ///< of a bake that writes seeds
 };
 
 /// Result of a tile.
@@ -35,6 +38,7 @@ struct TileResult {
     std::vector<CellTree> cells;
     RootCounts counts;
     double spacingMinimum = 0.0; ///< [m]; 0 unless there are two Poisson-disk roots
+    field::Seeds seeds;          ///< of its cells, with the plan's meadow; none in most bakes
     Report::Timing timing;
 };
 

@@ -146,6 +146,21 @@ void checkTree(const CellTree& cell, std::uint64_t blades, const fs::path& path)
              path.string(), nextBlade, blades, nextChild, cell.patches.size());
 }
 
+// Checks that the frames of cells follow one another.
+void checkSeeds(std::span<const field::SeedEntry> cells, std::uint64_t bytes, const fs::path& path)
+{
+    std::uint64_t at = 0;
+    for (std::size_t i = 0; i < cells.size(); ++i) {
+        if (cells[i].offset != at || cells[i].bytes > bytes - at ||
+            (i > 0 && !(cells[i - 1].cell < cells[i].cell)))
+            fail(ErrorKind::input, "{}: cell {} of the seeds, {} bytes at {}, does not fit",
+                 path.string(), i, cells[i].bytes, cells[i].offset);
+        at += cells[i].bytes;
+    }
+    if (at != bytes)
+        fail(ErrorKind::input, "{}: {} bytes of seeds instead of {}", path.string(), bytes, at);
+}
+
 } // namespace
 
 void writePlan(const fs::path& path, const TilePlan& plan, bool overwrite)
@@ -175,6 +190,8 @@ void writePlan(const fs::path& path, const TilePlan& plan, bool overwrite)
                      {"root_last_key", plan.plan.roots.amount.lastKey},
                      {"root_spacing", plan.plan.roots.spacing},
                      {"root_filtered", plan.plan.roots.filtered}}}};
+    if (plan.plan.seeds)
+        object["seeds"] = json::parse(field::seedMeadowText(*plan.plan.seeds));
     if (plan.plan.roots.bearing)
         object["resolved"]["root_bearing"] = *plan.plan.roots.bearing;
     writeTextFile(path, jsonText(object, 2) + "\n", overwrite);
@@ -244,6 +261,9 @@ TilePlan readPlan(const fs::path& path)
         plan.plan.roots.filtered = resolved.at("root_filtered").get<bool>();
         if (resolved.contains("root_bearing"))
             plan.plan.roots.bearing = number("root_bearing");
+        if (object.contains("seeds"))
+            plan.plan.seeds =
+                field::parseSeedMeadow(jsonText(object.at("seeds")), name + ": seeds");
         if (plan.tiles == 0)
             fail(ErrorKind::input, "{}: 0 tiles, outside [1, {}]", name, maxTiles);
         return plan;
@@ -347,6 +367,8 @@ void writeTile(const fs::path& path, const std::string& id, const TileResult& ti
     });
     writer.begin(blades * sizeof(field::BladeKey), 1);
     eachStoredKeyByte(tile.cells, [&](std::span<const std::byte> part) { writer.addPart(part); });
+    writer.add(tile.seeds.cells);
+    writer.add(tile.seeds.data);
     writer.commit();
 }
 
@@ -392,6 +414,10 @@ StoredTile readTile(const fs::path& path, const std::string& id)
         keys.count != stored.stretch.count * sizeof(field::BladeKey))
         fail(ErrorKind::input, "{}: {} blades and {} bytes of keys for cells of {} blades",
              path.string(), blades.count, keys.count, stored.stretch.count);
+    reader.read(tile.seeds.cells);
+    const auto seeds = reader.skip(1);
+    stored.seedBytes = seeds.at;
+    checkSeeds(tile.seeds.cells, seeds.count, path);
     return stored;
 }
 

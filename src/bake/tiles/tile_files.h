@@ -16,7 +16,7 @@ namespace sward::bake {
 // First bytes of the files beside a plan: eight letters each; the last two are the version.
 inline constexpr const char* partKind = "SWPART04";  ///< a tile's part of the ground
 inline constexpr const char* imageKind = "SWIMAG02"; ///< an image of the ground
-inline constexpr const char* tileKind = "SWTILE04";  ///< the blades of a tile
+inline constexpr const char* tileKind = "SWTILE05";  ///< the blades and seeds of a tile
 
 /// A bake distributed over machines: the result of `plan`, needed by every tile. Its file is JSON.
 /// The folder beside it holds the parts of the ground, one for each tile, the ground's images and a
@@ -67,8 +67,9 @@ std::string planOfTile(const std::filesystem::path& path);
 
 /// A tile whose blades and keys stay in its file.
 struct StoredTile {
-    TileResult tile; ///< with cells that have patches alone
+    TileResult tile; ///< with cells that have patches alone, and seeds that have no bytes
     TileStretch stretch;
+    std::uint64_t seedBytes = 0; ///< [bytes] where those of the seeds begin
 };
 
 /// Verifies the whole file. Also throws Error{input} if the tile belongs to another plan.

@@ -41,9 +41,7 @@ field::Field frameOf(const terrain::GroundMesh& ground, const BakeSettings& sett
     field::Field field;
     field.origin = ground.origin;
     field.copyright = ground.copyright;
-    for (const SpeciesTraits& species : settings.meadow.species)
-        field.species.push_back({species.name, species.look, species.organs});
-    field::numberOrgans(field.species, "the meadow");
+    field.species = fieldSpecies(settings.meadow);
     field.thinned = plan.plan.thinned;
     field.defaults = defaultsFor(settings, plan.plan.scale);
     field.provenance = provenanceOf(settings, report);
@@ -59,6 +57,15 @@ std::string provenanceOf(const BakeSettings& settings, const Report& report)
                                    {"blade_scale", report.bladeScale},
                                    {"settings", nlohmann::json::parse(toJson(settings))}};
     return jsonText(object);
+}
+
+std::vector<field::Species> fieldSpecies(const Meadow& meadow)
+{
+    std::vector<field::Species> list;
+    for (const SpeciesTraits& species : meadow.species)
+        list.push_back({species.name, species.look, species.organs});
+    field::numberOrgans(list, "the meadow");
+    return list;
 }
 
 field::Field fieldWithoutBlades(const terrain::GroundMesh& ground, const BakeSettings& settings,

@@ -7,11 +7,15 @@
 #include "terrain/ground_mesh.h"
 
 #include <string>
+#include <vector>
 
 namespace sward::bake {
 
 /// What a field says of its making: tool, input, scale and settings, as JSON.
 std::string provenanceOf(const BakeSettings& settings, const Report& report);
+
+/// The species of the fields of a meadow.
+std::vector<field::Species> fieldSpecies(const Meadow& meadow);
 
 /// Makes a field without patches and blades.
 field::Field fieldWithoutBlades(const terrain::GroundMesh& ground, const BakeSettings& settings,

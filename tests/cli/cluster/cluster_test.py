@@ -100,6 +100,28 @@ class Tiles(ClusterTest):
             merged = self.merge(plan=f"{tiles}.json", tiles=f"of-{tiles}", to=f"{tiles}.sward")
             self.assertEqual(digest(merged), whole, tiles)
 
+    def test_seeds_are_the_same_in_tiles(self):
+        options = ("--density", "20", "--seed", "7", "--clearance", "0.3", "--sky-rays", "2", "--budget", "20000")
+        for use, tiles in (("always", TILES), ("auto", 3)):
+            with self.subTest(use=use):
+                sown = (*options, "--seeds", use)
+                whole = self.bake(self.ground, *sown, "--report", "whole.json", "--force", to=f"{use}.sward")
+                self.assertGreater(self.info(whole)["seeds"]["cells"], 25)
+                self.plan(*sown, tiles=tiles, to=f"{use}.json")
+                for index in range(tiles):
+                    self.assertIn("seeds in", self.tile(index, plan=f"{use}.json", to=f"{use}-tiles").stdout)
+                merged = self.merge(f"{use}.json", f"{use}-tiles", f"{use}-merged.sward")
+                self.assertEqual(digest(merged), digest(whole))
+                self.sward("merge", f"{use}.json", f"{use}-tiles", "-o", "again.sward", "--force", "--report", "merged.json", "-q")
+                told = [self.read_json(name)["seeds"] for name in ("whole.json", "merged.json")]
+                self.assertEqual(*told)
+                (self.folder / "merged.json").unlink()
+        # A plan with seeds is another plan than one without; what cannot be sown is refused.
+        self.plan(*options, to="plain.json")
+        self.refused("tile", "plain.json", "--index", "0", "-o", "always-tiles", code=INPUT, names=["belongs to plan"])
+        self.refused("plan", self.ground, "--tiles", "2", "-o", "p.json", "--count", "9", "--seeds", "always",
+                     code=USAGE, names=["--seeds", "--count"])
+
     def test_an_exact_count_is_exact_over_tiles(self):
         for spread in ("uniform", "poisson"):
             with self.subTest(spread=spread):

@@ -358,6 +358,13 @@ void BakeOptions::addRun(CLI::App& app)
         ->check(CLI::Range(1U, bake::maxPaintMaskSize).description(""))
         ->group(group)
         ->capture_default_str();
+    app.add_option("--seeds", seeds_,
+                   "Whether the field holds what bears, and only blades of the lowest ranks: "
+                   "'sward grow' grows the others; auto: where the closed sward exceeds "
+                   "--budget; never is the default until devices grow them, too")
+        ->type_name("auto|always|never")
+        ->group(group)
+        ->capture_default_str();
     app.add_flag("--dry-run", direct_.dryRun, "Estimate counts and bytes, and write no field")
         ->group(group);
     app.add_flag("--force", direct_.overwrite, "Overwrite existing files")->group(group);
@@ -401,6 +408,7 @@ BakeRequest BakeOptions::requestWith(const std::string* provenance, const std::s
 
     settings.sides = bake::parseSides(sides_);
     settings.align = bake::parseAlignment(align_);
+    settings.seeds = bake::parseSeedUse(seeds_);
     settings.groundUp = bake::parseGroundUp(groundUp_);
     settings.slope = softRange("--slope", slope_, settings.slope);
     request.choosesSlope = slope_.empty() && settings.sides == bake::Sides::front;

@@ -11,6 +11,7 @@
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
+#include <cmath>
 
 namespace sward::apps {
 namespace {
@@ -57,6 +58,39 @@ std::string groundText(const field::DisplayGround& ground, std::uint64_t triangl
     return text;
 }
 
+// Blades or ribbons that grow from seeds in all, told by those that are stored: these are evenly
+// spread over all that grow.
+double grownInAll(const field::FieldView& field, std::uint64_t stored)
+{
+    const double share = field.seeds->meadow->stored;
+    return share > 0.0 ? double(stored) / share : 0.0;
+}
+
+std::string seedsText(const field::FieldView& field, const field::Summary& summary)
+{
+    const field::SeedMeadow& meadow = *field.seeds->meadow;
+    std::string text = fmt::format("about {:.4g} blades", grownInAll(field, summary.blades));
+    if (summary.ribbons > 0)
+        text += fmt::format(" and {:.4g} ribbons", grownInAll(field, summary.ribbons));
+    return text + fmt::format(" grow in {} of 32 m, of {:.4g} roots per m2, {}; {:.3g} of them are "
+                              "stored, {:.3g} times as wide",
+                              counted(field.seeds->cells.size(), "cell"), meadow.density,
+                              sizeText(field.seeds->data.size()), meadow.stored,
+                              meadow.storedWidening);
+}
+
+ordered_json seedsJson(const field::FieldView& field, const field::Summary& summary)
+{
+    const field::SeedMeadow& meadow = *field.seeds->meadow;
+    return {{"blades", std::round(grownInAll(field, summary.blades))},
+            {"ribbons", std::round(grownInAll(field, summary.ribbons))},
+            {"density", meadow.density},
+            {"cells", field.seeds->cells.size()},
+            {"bytes", field.seeds->data.size()},
+            {"stored", meadow.stored},
+            {"stored_widening", meadow.storedWidening}};
+}
+
 ordered_json groundJson(const field::DisplayGround& ground, std::uint64_t triangles)
 {
     ordered_json images = ordered_json::array();
@@ -88,18 +122,16 @@ std::string infoText(const std::string& file, const field::FieldView& field,
         row("bounds",
             fmt::format("{} to {} m", pointText(field.origin + glm::dvec3(summary.bounds.low)),
                         pointText(field.origin + glm::dvec3(summary.bounds.high))));
-    row("bytes", fmt::format("{} ({}), {:.2f} per blade", fileBytes, sizeText(fileBytes),
-                             bytesPerBlade(fileBytes, summary.blades)));
+    row("bytes", fmt::format("{} ({}), {:.2f} per {}blade", fileBytes, sizeText(fileBytes),
+                             bytesPerBlade(fileBytes, summary.blades),
+                             field.seeds != nullptr ? "stored " : ""));
     row("height", fmt::format("{:.3f} to {:.3f} m, mean {:.3f} m", summary.heightLow,
                               summary.heightHigh, summary.heightMean));
     row("width", fmt::format("mean {:.4f} m", summary.widthMean));
     for (std::size_t i = 0; i < field.species.size(); ++i)
         row("species", fmt::format("{}: {} blades", field.species[i].name, summary.perSpecies[i]));
     if (field.seeds != nullptr)
-        row("seeds",
-            fmt::format("of {:.4g} roots per m2 in {}, {}; the blades are the first {:.3g}",
-                        field.seeds->meadow->density, counted(field.seeds->cells.size(), "cell"),
-                        sizeText(field.seeds->data.size()), field.seeds->meadow->stored));
+        row("seeds", seedsText(field, summary));
     row("ground", groundText(*field.ground, summary.groundTriangles));
     for (const field::Camera& camera : field.defaults->cameras)
         row("camera", fmt::format("{}: from {} to {}", camera.name, pointText(camera.eye),
@@ -138,10 +170,7 @@ std::string infoJson(const std::string& file, const field::FieldView& field,
         all["species"].push_back(
             {{"name", field.species[i].name}, {"blades", summary.perSpecies[i]}});
     if (field.seeds != nullptr)
-        all["seeds"] = {{"density", field.seeds->meadow->density},
-                        {"cells", field.seeds->cells.size()},
-                        {"bytes", field.seeds->data.size()},
-                        {"stored", field.seeds->meadow->stored}};
+        all["seeds"] = seedsJson(field, summary);
     all["ground"] = groundJson(*field.ground, summary.groundTriangles);
     all["cameras"] = ordered_json::array();
     for (const field::Camera& camera : field.defaults->cameras)
