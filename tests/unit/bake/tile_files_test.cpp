@@ -70,7 +70,8 @@ TEST(TileFile, GivesBackWhatWasWritten)
 }
 
 // Writes a tile of one cell as writeTile() does, without a look at what its patches say.
-void forgeTile(const std::filesystem::path& path, const CellTree& cell, std::size_t keyBytes)
+void forgeTile(const std::filesystem::path& path, const CellTree& cell, std::size_t keyBytes,
+               const std::vector<field::SeedEntry>& seeds = {}, std::size_t seedBytes = 0)
 {
     struct Numbers {
         RootCounts counts;
@@ -90,6 +91,8 @@ void forgeTile(const std::filesystem::path& path, const CellTree& cell, std::siz
     writer.add(cell.patches);
     writer.add(cell.blades);
     writer.add(std::vector<std::byte>(keyBytes));
+    writer.add(seeds);
+    writer.add(std::vector<std::byte>(seedBytes));
     writer.commit();
 }
 
@@ -119,6 +122,33 @@ TEST(TileFile, RefusesPatchesOutsideOfTheirCell)
         cell.patches[1].childCount = 1;
     });
     refuses([](CellTree& cell) { cell.patches.clear(); });
+}
+
+TEST(TileFile, RefusesSeedsThatDoNotFit)
+{
+    const auto path = std::filesystem::path(testing::TempDir()) / "sward_tile_seeds.blades";
+    std::vector<field::SeedEntry> sound(2);
+    sound[0].bytes = 5;
+    sound[1].cell = {0, 0, 1};
+    sound[1].offset = 5;
+    sound[1].bytes = 2;
+    const auto refuses = [&](auto change, std::size_t bytes) {
+        std::vector<field::SeedEntry> seeds = sound;
+        change(seeds);
+        forgeTile(path, smallTile().cells[0], 3 * sizeof(field::BladeKey), seeds, bytes);
+        try {
+            readTile(path, "plan");
+        } catch (const Error& error) {
+            return error.kind() == ErrorKind::input;
+        }
+        return false;
+    };
+    EXPECT_FALSE(refuses([](auto&) {}, 7));
+    EXPECT_TRUE(refuses([](auto&) {}, 6));
+    EXPECT_TRUE(refuses([](auto&) {}, 8));
+    EXPECT_TRUE(refuses([](auto& seeds) { seeds[1].offset = 6; }, 7));
+    EXPECT_TRUE(refuses([](auto& seeds) { seeds[0].bytes = ~0ULL; }, 7));
+    EXPECT_TRUE(refuses([](auto& seeds) { seeds[1].cell = seeds[0].cell; }, 7));
 }
 
 TEST(TileFile, ThatVanishesBeforeItIsJoinedIsNamed)
