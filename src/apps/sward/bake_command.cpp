@@ -83,7 +83,7 @@ public:
     {
         options_.log.apply();
         BakeRequest request = options_.request();
-        if (request.dryRun && request.settings.seeds != bake::SeedUse::never)
+        if (request.dryRun && request.settings.seeds == bake::SeedUse::always)
             fail(ErrorKind::usage, "--dry-run estimates no seeds; leave --seeds out");
         if (options_.printConfig) {
             writeResult(effectiveSettings(request) + "\n");

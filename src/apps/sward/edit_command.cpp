@@ -88,11 +88,13 @@ public:
             view = baked.emplace(field::readField(field_)).view();
         if (view && view->seeds != nullptr)
             fail(ErrorKind::unsupported,
-                 "{}: holds seeds, which edits do not change; bake it without --seeds", field_);
+                 "{}: holds seeds, which edits do not change; bake it with --seeds never", field_);
         if (asBaked_)
             requireNoneOf(settingsInFields);
         BakeRequest request =
             asBaked_ ? options_.requestAsBaked(*view->provenance, field_) : options_.request();
+
+        request.settings.seeds = bake::SeedUse::never;
 
         Diagnostics diagnostics;
         const terrain::GroundMesh ground = loadGround(request, diagnostics);

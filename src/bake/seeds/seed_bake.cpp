@@ -193,7 +193,7 @@ bool writesSeeds(const terrain::GroundMesh& ground, const BakeSettings& settings
         settings.density.value_or(closedDensity(settings.meadow) / (scale * scale));
     return unsown == nullptr &&
            density * bearingArea(ground, settings.sides) * bladesPerRoot(settings.meadow) >
-               double(settings.budget);
+               double(std::max(settings.budget, usualBudget));
 }
 
 BakeSettings fullSettings(const BakeSettings& settings)

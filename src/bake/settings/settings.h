@@ -22,8 +22,11 @@ enum class Sides { front, back, both };
 /// Poisson disks packed as densely as dart throwing allows.
 enum class Spread { uniform, poisson, poissonDense };
 
+/// Most blades and ribbons of a bake whose density the meadow decides.
+constexpr std::uint64_t usualBudget = 50'000'000;
+
 /// Whether a field holds seeds, what bears, and but the first of its blades (decision 0044):
-/// automatic where the closed sward exceeds the budget.
+/// automatic where the closed sward exceeds the budget and usualBudget.
 enum class SeedUse { never, automatic, always };
 
 /// Growth direction: 0 along the surface normal, 1 against gravity (ground-up), or between.
@@ -51,7 +54,7 @@ struct BakeSettings {
     std::optional<std::uint64_t> count;    ///< blades kept, exactly
     std::optional<double> spacing;         ///< [m] between roots of Poisson disks; sets the density
     Spread spread = Spread::uniform;       ///< distribution of roots
-    std::uint64_t budget = 50'000'000;     ///< most blades and ribbons where the meadow decides
+    std::uint64_t budget = usualBudget;    ///< most blades and ribbons where the meadow decides
     std::uint64_t maxBlades = 200'000'000; ///< larger bakes fail before sampling
     SeedUse seeds = SeedUse::never;        ///< whether the field holds seeds
     std::optional<double> bladeScale;      ///< none: automatic, smaller on small ground

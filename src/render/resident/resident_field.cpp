@@ -105,8 +105,9 @@ DeviceField sownField(const gpu::DeviceContext& context, gpu::BufferUpload& uplo
     const SownView whole(stored);
     const field::FieldView& field = whole.view();
     GrassCover cover(context, upload, field, whole.leafArea(), false);
-    const std::uint64_t bytes =
-        budget.bytes > 0 ? std::min(budget.sownBytes, budget.bytes / 2) : budget.sownBytes;
+    // The host needs memory, too.
+    const std::uint64_t most = (budget.bytes > 0 ? budget.bytes : context.deviceLocalBytes()) / 2;
+    const std::uint64_t bytes = std::min(budget.sownBytes, most);
     DeviceField::Settings settings{.framesInFlight = budget.framesInFlight};
     settings.sown = std::make_unique<SownTables>(
         field,

@@ -176,9 +176,10 @@ std::unique_ptr<DeviceField> FieldRenderer::Parts::sownField(const field::FieldV
     field::LeafAreaGrid grid = whole.leafArea();
     const float exposure = chosenExposure(view, grid);
     GrassCover cover(context, uploader, view, std::move(grid), false);
-    const std::uint64_t bytes = settings.deviceBytes > 0
-                                    ? std::min(settings.sownBytes, settings.deviceBytes / 2)
-                                    : settings.sownBytes;
+    // Pictures and ground need memory, too.
+    const std::uint64_t most =
+        (settings.deviceBytes > 0 ? settings.deviceBytes : context.deviceLocalBytes()) / 2;
+    const std::uint64_t bytes = std::min(settings.sownBytes, most);
     const SownTables::Room room =
         SownTables::Room::of(bytes / (records.bytesPerBlade(false) +
                                       SownTables::Room::bytesOfPatches + bytesOfSownList));
@@ -447,7 +448,7 @@ bool FieldRenderer::recordStreaming(VkCommandBuffer buffer, glm::uvec2 size, con
     if (!hadMoved)
         parts.lastTime = time;
     parts.recorder.recordUpdate(commands);
-    return field.streaming ? field.streaming->isSettled() : field.sowing->isSettled();
+    return isSettled();
 }
 
 std::optional<VkSemaphoreSubmitInfo> FieldRenderer::copied() const
@@ -527,6 +528,14 @@ bool FieldRenderer::isStreamed() const
 bool FieldRenderer::isSown() const
 {
     return parts_->field->sowing != nullptr;
+}
+
+bool FieldRenderer::isSettled() const
+{
+    const DeviceField& field = *parts_->field;
+    if (field.sowing)
+        return field.sowing->isSettled();
+    return field.streaming == nullptr || field.streaming->isSettled();
 }
 
 Aabb FieldRenderer::content() const

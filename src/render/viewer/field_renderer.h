@@ -111,6 +111,7 @@ public:
 
     bool isStreamed() const;         ///< not all blades fit in memory
     bool isSown() const;             ///< blades near the eye are sown from the field's seeds
+    bool isSettled() const;          ///< with a still eye no blades come or go any more
     std::size_t deviceBytes() const; ///< device memory in use
     Aabb content() const;            ///< box of everything visible, relative to the origin
 

@@ -359,9 +359,9 @@ void BakeOptions::addRun(CLI::App& app)
         ->group(group)
         ->capture_default_str();
     app.add_option("--seeds", seeds_,
-                   "Whether the field holds what bears, and only blades of the lowest ranks: "
-                   "'sward grow' grows the others; auto: where the closed sward exceeds "
-                   "--budget; never is the default until devices grow them, too")
+                   "Whether the field holds what bears, and only blades of the lowest ranks: the "
+                   "others grow where the viewer or a host looks, and by 'sward grow'; auto: "
+                   "where the closed sward exceeds --budget and 50 million blades, and can be sown")
         ->type_name("auto|always|never")
         ->group(group)
         ->capture_default_str();

@@ -92,7 +92,7 @@ private:
     std::string meadow_ = "meadow";
     std::vector<std::string> assignments_;
     std::string align_ = "normal";
-    std::string seeds_ = "never";
+    std::string seeds_ = "auto";
 };
 
 } // namespace sward::apps

@@ -350,7 +350,7 @@ bool Viewer::hasChanged()
     // A streamed field holds the blades of one view, not of tiles in turn.
     if (!viewerState_.refinesAtRest || !loadedField_ || times_.frames < ring_.slots() ||
         swapchain_.extent().width == 0 || loadedField_->renderer().isStreamed() ||
-        viewerState_.settings.cullingCamera ||
+        !loadedField_->renderer().isSettled() || viewerState_.settings.cullingCamera ||
         viewerState_.settings.debug == render::DebugMode::reason || capture_.isSequence() ||
         recorder_.isPlaying() || recorder_.isRecording())
         return true;

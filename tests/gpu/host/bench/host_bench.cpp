@@ -1,15 +1,17 @@
 // Measures the cost of grass in a host's frames, by either method of drawing:
 //   sward_host_bench FIELD.sward SCENE.json [raster|tessellation] [samples=N] [instances=N]
 //   [frames=N] [lamps=N] [ambient=1] [shadow=1] [budget=MIB] [fly=1] [speed=M/S] [each=1] [store=1]
+//   [clock=1] [sow=THREADS] [sown=MIB]
 // With store the light is stored into the host's picture of one sample, with store=2 also the
 // depth; there is no composite, and "draw" is empty. With a budget the field is streamed if it does
 // not fit; fly follows the scene's moving camera there and back, speed circles over the field at
 // that speed, 3 m above the blades. The host's depth is at the far plane; Sward processes it like
-// any other. Prints one line of JSON: medians in milliseconds by device timestamps, and by the
-// clock for the CPU and whole frames; of a flight, how near blades were missing. With each, also a
-// line for each frame.
-#include "flight.h"
+// any other. A flight moves on by a 60th of a second with each frame, with clock by the time that
+// has passed; sow and sown are for a field with seeds. Prints one line of JSON: medians in
+// milliseconds by device timestamps, and by the clock for the CPU and whole frames; of a flight,
+// how near blades were missing. With each, also a line for each frame.
 #include "field/read.h"
+#include "flight.h"
 #include "gpu/context/check.h"
 #include "gpu/device/device.h"
 #include "gpu/memory/image.h"
@@ -46,10 +48,10 @@ struct Options {
     std::string field;
     std::string scene;
     render::Geometry geometry = render::Geometry::raster;
-    std::map<std::string, int> numbers{{"samples", 1},  {"instances", 1}, {"frames", 300},
-                                       {"radiance", 0}, {"lamps", 0},     {"ambient", 0},
-                                       {"shadow", 0},   {"budget", 0},    {"fly", 0},
-                                       {"store", 0},    {"speed", 0},     {"each", 0}};
+    std::map<std::string, int> numbers{
+        {"samples", 1}, {"instances", 1}, {"frames", 300}, {"radiance", 0}, {"lamps", 0},
+        {"ambient", 0}, {"shadow", 0},    {"budget", 0},   {"fly", 0},      {"store", 0},
+        {"speed", 0},   {"each", 0},      {"clock", 0},    {"sow", 1},      {"sown", 512}};
 };
 
 Options optionsOf(int argc, char** argv)
@@ -180,7 +182,9 @@ void run(const Options& options)
     render::FieldBudget budget{.bytes = std::uint64_t(options.numbers.at("budget")) << 20,
                                .instances =
                                    static_cast<std::uint32_t>(options.numbers.at("instances")),
-                               .framesInFlight = slots};
+                               .framesInFlight = slots,
+                               .sownBytes = std::uint64_t(options.numbers.at("sown")) << 20,
+                               .sowThreads = static_cast<std::uint32_t>(options.numbers.at("sow"))};
     const auto lawn = std::make_shared<render::ResidentField>(context, mapped, budget);
     gpu::submitAndWait(context, [&](VkCommandBuffer commands) { lawn->recordUpload(commands); });
     lawn->releaseStaging();
@@ -284,15 +288,20 @@ void run(const Options& options)
     // Warm up half a second to reach the device's clock, and until what is streamed of the first
     // view is there; then measure.
     int counted = 0;
+    double started = 0.0;
     for (int frame = 0; counted < options.numbers.at("frames"); ++frame) {
         if (counted == 0 && (seconds() < 0.5 || !grass.streamingStats().isSettled))
             times.clearHistory();
         else
             ++counted;
+        if (counted == 1)
+            started = seconds();
+        const double flown =
+            options.numbers.at("clock") != 0 ? seconds() - started : counted / 60.0;
         if (speed > 0 && counted > 0)
-            view.worldToClip = worldToClip(circle.at(counted / 60.0));
+            view.worldToClip = worldToClip(circle.at(flown));
         else if (flies && counted > 0)
-            view.worldToClip = worldToClip(cameraAt(scene.at("moving"), counted / 60.0));
+            view.worldToClip = worldToClip(cameraAt(scene.at("moving"), flown));
         const gpu::FrameRing::Frame recording = ring.begin();
         if (counted > 1)
             frames.push_back(1e3 * (seconds() - lastBegin - counting));
@@ -377,7 +386,7 @@ void run(const Options& options)
         out["gpu_ms"][name] = times.statistics(name).median;
         out["gpu_p99_ms"][name] = times.statistics(name).p99;
     }
-    if (lawn->isStreamed()) {
+    if (lawn->isStreamed() || lawn->isSown()) {
         const render::StreamingStats stats = grass.streamingStats();
         out["streaming"] = {{"pages", stats.pages},
                             {"places", stats.places},
@@ -399,7 +408,7 @@ try {
         std::fputs(
             "usage: sward_host_bench FIELD.sward SCENE.json [raster|tessellation] [samples=N] "
             "[instances=N] [frames=N] [lamps=N] [ambient=1] [shadow=1] [budget=MIB] [fly=1] "
-            "[speed=M/S] [each=1] [store=1]\n",
+            "[speed=M/S] [each=1] [store=1] [clock=1] [sow=THREADS] [sown=MIB]\n",
             stderr);
         return 1;
     }
