@@ -136,6 +136,10 @@ struct SurfaceQuery::Scene {
 
     Hit firstBehind(const glm::dvec3& point, const glm::dvec3& direction, double limit, double skin,
                     const IgnoredTriangles& ignored) const;
+
+    // The nearest hit, or any if the ray ends at the first, of one traversal.
+    Hit through(const glm::dvec3& point, const glm::dvec3& direction, double limit, double skin,
+                const IgnoredTriangles& ignored, bool endsAtFirst) const;
 };
 
 // A ray that tests, in double precision, every triangle that Embree finds.
@@ -298,22 +302,35 @@ SurfaceQuery::Hit SurfaceQuery::cast(glm::dvec3 point, glm::dvec3 direction, dou
     return scene_->firstBehind(point, direction, limit, skin, ignored);
 }
 
+SurfaceQuery::Hit SurfaceQuery::Scene::through(const glm::dvec3& point, const glm::dvec3& direction,
+                                               double limit, double skin,
+                                               const IgnoredTriangles& ignored,
+                                               bool endsAtFirst) const
+{
+    Question question{.context = makeRayContext(),
+                      .ground = *this,
+                      .point = point,
+                      .direction = direction,
+                      .above = skin,
+                      .limit = limit,
+                      .ignored = ignored,
+                      .endsAtFirst = endsAtFirst,
+                      .best = {}};
+    RTCRay ray = rayOf(point, direction, std::max(0.0, skin - shift(limit)), limit + shift(limit));
+    occlude(scene, question.context, ray);
+    return question.best;
+}
+
+SurfaceQuery::Hit SurfaceQuery::castThrough(glm::dvec3 point, glm::dvec3 direction, double limit,
+                                            double skin, const IgnoredTriangles& ignored) const
+{
+    return scene_->through(point, direction, limit, skin, ignored, false);
+}
+
 bool SurfaceQuery::occluded(glm::dvec3 point, glm::dvec3 direction, double limit, double skin,
                             const IgnoredTriangles& ignored) const
 {
-    Scene::Question question{.context = makeRayContext(),
-                             .ground = *scene_,
-                             .point = point,
-                             .direction = direction,
-                             .above = skin,
-                             .limit = limit,
-                             .ignored = ignored,
-                             .endsAtFirst = true,
-                             .best = {}};
-    const double shift = scene_->shift(limit);
-    RTCRay ray = rayOf(point, direction, std::max(0.0, skin - shift), limit + shift);
-    occlude(scene_->scene, question.context, ray);
-    return question.best.isHit();
+    return scene_->through(point, direction, limit, skin, ignored, true).isHit();
 }
 
 double SurfaceQuery::clearance(glm::dvec3 point, glm::dvec3 up, double limit,

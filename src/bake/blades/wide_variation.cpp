@@ -80,7 +80,7 @@ double hollowAt(const terrain::SurfaceQuery& query, glm::dvec3 place, glm::dvec3
         int found = 0;
         for (const double sign : {-1.0, 1.0}) {
             const glm::dvec3 above = place + radius * (sign * aside + up);
-            const auto hit = query.cast(above, -up, 2.0 * radius, 0.0);
+            const auto hit = query.castThrough(above, -up, 2.0 * radius, 0.0);
             heights += hit.isHit() ? radius - hit.distance : 0.0;
             found += hit.isHit() ? 1 : 0;
         }

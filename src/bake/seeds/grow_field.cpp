@@ -11,7 +11,6 @@
 
 #include <algorithm>
 #include <array>
-#include <atomic>
 #include <cmath>
 #include <deque>
 #include <map>
@@ -170,31 +169,43 @@ private:
 
 } // namespace
 
+CellGrower::CellGrower(const field::SeedMeadow& meadow, std::span<const field::Species> species,
+                       const glm::dvec3& origin, const Growth& growth)
+    : sower_(meadow, species, origin)
+    , species_(species)
+    , growth_(growth)
+    , firstCell_(glm::floor(origin / widestPatch))
+{
+}
+
+CellTree CellGrower::grow(const field::SeedCell& cell, const std::string& place) const
+{
+    const field::SownCell sown = sower_.sow(cell, growth_.region);
+    if ((blades_ += sown.blades.size()) > growth_.maxBlades)
+        fail(ErrorKind::input, "{}: more than --max-blades {} grow in this region", place,
+             growth_.maxBlades);
+    if (sown.blades.empty())
+        return {};
+    CellNumber number;
+    for (std::size_t axis = 0; axis < 3; ++axis)
+        number[axis] = static_cast<std::int64_t>(firstCell_[glm::length_t(axis)]) + sown.cell[axis];
+    return CellLayout(sown, sower_, species_, number, growth_.widening).build();
+}
+
 std::vector<CellTree> growSeeds(const field::SeedsView& seeds,
                                 std::span<const field::Species> species, const glm::dvec3& origin,
                                 const Growth& growth, const std::string& place, Progress& progress)
 {
-    const field::Sower sower(*seeds.meadow, species, origin);
+    const CellGrower grower(*seeds.meadow, species, origin, growth);
     std::vector<std::size_t> touched;
     for (std::size_t i = 0; i < seeds.cells.size(); ++i)
         if (growth.region.mayTouch(seeds.cells[i].cell))
             touched.push_back(i);
-    const glm::dvec3 first = glm::floor(origin / widestPatch);
     std::vector<CellTree> trees(touched.size());
-    std::atomic<std::uint64_t> blades = 0;
     progress.begin("grow", touched.size());
     tbb::parallel_for(std::size_t(0), touched.size(), [&](std::size_t i) {
         progress.throwIfCancelled();
-        const field::SownCell sown =
-            sower.sow(field::readSeedCell(seeds, touched[i], place), growth.region);
-        if ((blades += sown.blades.size()) > growth.maxBlades)
-            fail(ErrorKind::input, "{}: more than --max-blades {} grow in this region", place,
-                 growth.maxBlades);
-        CellNumber cell;
-        for (std::size_t axis = 0; axis < 3; ++axis)
-            cell[axis] = static_cast<std::int64_t>(first[glm::length_t(axis)]) + sown.cell[axis];
-        if (!sown.blades.empty())
-            trees[i] = CellLayout(sown, sower, species, cell, growth.widening).build();
+        trees[i] = grower.grow(field::readSeedCell(seeds, touched[i], place), place);
         progress.advance(1);
     });
     std::erase_if(trees, [](const CellTree& tree) { return tree.blades.empty(); });

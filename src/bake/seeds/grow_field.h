@@ -5,7 +5,9 @@
 #include "field/field.h"
 #include "field/seeds/sower.h"
 
+#include <atomic>
 #include <cstdint>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -16,6 +18,24 @@ struct Growth {
     field::SowRegion region;              ///< where, and up to which rank
     double widening = 1.0;                ///< factor on widths, by the steps of patches alone
     std::uint64_t maxBlades = UINT64_MAX; ///< more are an error, ribbons included
+};
+
+/// Grows cells of one meadow. Thread-safe. All arguments must outlive it.
+class CellGrower {
+public:
+    CellGrower(const field::SeedMeadow& meadow, std::span<const field::Species> species,
+               const glm::dvec3& origin, const Growth& growth);
+
+    /// The patches and blades of a cell in the region; without blades if none grow there. Throws
+    /// Error{input} naming `place` once more than maxBlades have grown in all cells.
+    CellTree grow(const field::SeedCell& cell, const std::string& place) const;
+
+private:
+    field::Sower sower_;
+    std::span<const field::Species> species_;
+    const Growth& growth_;
+    glm::dvec3 firstCell_; ///< number of the cell at the origin
+    mutable std::atomic<std::uint64_t> blades_ = 0;
 };
 
 /// The patches and blades of all 32 m cells that the region touches. They depend on the seeds and

@@ -227,7 +227,7 @@ double seedMargin(const terrain::GroundMesh& ground, const BakeSettings& setting
 }
 
 field::Seeds makeSeeds(const GroundView& part, const BakeSettings& settings, const BakePlan& plan,
-                       const TileRegion* tile, Progress& progress)
+                       const TileRegion* tile, const TakeSeedCell& take, Progress& progress)
 {
     const terrain::GroundMesh& ground = part.ground;
     field::Seeds seeds;
@@ -236,8 +236,13 @@ field::Seeds makeSeeds(const GroundView& part, const BakeSettings& settings, con
     const RootFilter filter(ground, settings, part.rays, &part.features, plan.plan.scale);
     const SeedSites sites(ground, settings, plan.plan.scale, seeds.meadow, filter, part.rays,
                           part.features);
-    const SeedPlaces places = seedPlaces(ground, settings, units, seeds.meadow.clumpSpacing,
-                                         clumpReach(seeds.meadow), tile);
+    progress.begin("clumps", 1);
+    const SeedPlaces places =
+        seedPlaces(ground, settings, units, seeds.meadow.clumpSpacing, clumpReach(seeds.meadow),
+                   tile, [&](std::uint32_t triangle, glm::dvec3 place) {
+                       progress.throwIfCancelled();
+                       return sites.moistureOf(triangle, place);
+                   });
     const SeedCells maker(ground, settings, seeds.meadow, units, sites);
 
     // The ranges of all cells that triangles touch, then batches of them: cells are made by several
@@ -267,8 +272,10 @@ field::Seeds makeSeeds(const GroundView& part, const BakeSettings& settings, con
             made[i].cell = maker.make(
                 std::span(places.parts).subspan(parts.first, parts.second - parts.first),
                 std::span(places.centres).subspan(centres.first, centres.second - centres.first));
-            if (!made[i].cell.pieces.empty())
+            if (!made[i].cell.pieces.empty()) {
+                take(made[i].cell);
                 made[i].packed = field::packSeedCell(made[i].cell, seeds.meadow.isMixed);
+            }
             progress.advance(1);
         });
         progress.throwIfCancelled();

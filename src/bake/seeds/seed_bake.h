@@ -7,7 +7,7 @@
 #include "field/seeds/seeds.h"
 #include "terrain/ground_mesh.h"
 
-#include <string>
+#include <functional>
 
 namespace sward::bake {
 
@@ -28,10 +28,14 @@ void planSeeds(const terrain::GroundMesh& ground, const BakeSettings& settings, 
 double seedMargin(const terrain::GroundMesh& ground, const BakeSettings& settings,
                   const BakePlan& plan);
 
-/// The seeds of a tile's cells; a null `tile` means all. `part` is the whole ground or partOf() it
-/// with at least seedMargin(), and has rays if needsRays(). A cell has the same bytes in any tile.
-/// Throws Error{input} for ground that does not fit into cells, Error{interrupted} when cancelled.
+/// Takes a cell of seeds; called by several threads, in any order.
+using TakeSeedCell = std::function<void(const field::SeedCell& cell)>;
+
+/// The seeds of a tile's cells, each of which `take` gets, too; a null `tile` means all. `part` is
+/// the whole ground or partOf() it with at least seedMargin(), and has rays if needsRays(). A cell
+/// has the same bytes in any tile. Throws Error{input} for ground that does not fit into cells,
+/// Error{interrupted} when cancelled.
 field::Seeds makeSeeds(const GroundView& part, const BakeSettings& settings, const BakePlan& plan,
-                       const TileRegion* tile, Progress& progress);
+                       const TileRegion* tile, const TakeSeedCell& take, Progress& progress);
 
 } // namespace sward::bake

@@ -27,8 +27,17 @@ constexpr std::uint32_t maxGridSteps = 64;
 // Where nothing tells of change, parts of large triangles are sampled this densely first [m].
 constexpr double coarsestSample = 2.0;
 
-// Where the exposures of a triangle's corners differ by less, it varies linearly on the triangle.
-constexpr float evenExposure = 0.15f;
+// Where the exposures of a triangle's corners differ by less, it varies linearly on the triangle: a
+// share of the sky, or two of few rays, which differ by chance.
+float evenExposure(const BakeSettings& settings)
+{
+    constexpr float evenShare = 0.15f;
+    return std::max(evenShare, 2.5f / float(std::max(settings.exposureRays, 1)));
+}
+
+// Of a vertex that rays have not left yet, and of one that something is above or beside.
+constexpr float unknownExposure = -2.0f;
+constexpr float narrowPlace = -1.0f;
 
 // Where their densities differ by less, in 65535ths, it does so, too.
 constexpr std::uint32_t evenDensity = 1000;
@@ -54,10 +63,10 @@ std::uint32_t densityOf(const shared::SeedConditions& conditions)
 
 // Whether conditions vary so little that they are linear between the corners: without ground that
 // buries, bends or crushes blades.
-bool areEven(const std::vector<shared::SeedConditions>& list)
+bool areEven(const std::vector<shared::SeedConditions>& list, float evenExposure)
 {
     constexpr std::uint32_t openRoom = 255;
-    constexpr std::uint32_t evenBytes = std::uint32_t(evenExposure * 255.0f);
+    const auto evenBytes = static_cast<std::uint32_t>(std::min(evenExposure, 1.0f) * 255.0f);
     std::uint32_t sparsest = 65535;
     std::uint32_t densest = 0;
     std::uint32_t darkest = 255;
@@ -125,7 +134,6 @@ class SeedCells::Builder {
 public:
     Builder(const SeedCells& of, const SeedCellNumber& cell)
         : of_(of)
-        , clumpKey_(clumpKeyOf(of.settings_.seed))
     {
         result_.cell = cell;
     }
@@ -160,13 +168,7 @@ public:
                     .first;
             result_.pieces.push_back(piece);
         }
-        const shared::SeedPiece& piece = result_.pieces[found->second];
-        const glm::ivec3 place = shared::sowClumpPlace(
-            result_.vertices[piece.corners[0]], result_.vertices[piece.corners[1]],
-            result_.vertices[piece.corners[2]],
-            shared::sowClumpKey(clumpKey_, piece.source, centre.number));
-        result_.clumps.push_back({found->second, centre.number,
-                                  of_.sites_.moistureOf(centre.triangle, positionOf(place))});
+        result_.clumps.push_back({found->second, centre.number, centre.moisture});
     }
 
     bool growsAnything() const
@@ -292,15 +294,6 @@ private:
         }
     }
 
-    // What rays find at a vertex is the same for all its triangles.
-    const SeedRays& raysAtVertex(std::uint32_t vertex, const RootSample& root)
-    {
-        const std::uint64_t key = std::uint64_t(vertex) << 1U | root.candidate >> 31U;
-        const auto found = rays_.find(key);
-        return found != rays_.end() ? found->second
-                                    : rays_.emplace(key, of_.sites_.raysAt(root)).first->second;
-    }
-
     // Samples the conditions of a part; false if nothing grows there.
     bool setConditions(const SeedPart& part, const TrianglePoints& points, shared::SeedPiece& piece)
     {
@@ -357,17 +350,19 @@ private:
         for (glm::length_t k = 0; k < 3; ++k) {
             const RootSample root = rootAt(part, points, k == 1 ? 1.0 : 0.0, k == 2 ? 1.0 : 0.0,
                                            static_cast<std::uint32_t>(k));
-            const SeedRays& rays = raysAtVertex(corners[k], root);
+            const float exposure = of_.exposureAtVertex(corners[k], part.back != 0);
+            if (exposure < 0.0f)
+                return found;
+            SeedRays rays;
+            rays.around.exposure = exposure;
             at[std::size_t(k)] = of_.sites_.at(root, rays);
-            low = std::min(low, rays.around.exposure);
-            high = std::max(high, rays.around.exposure);
+            low = std::min(low, exposure);
+            high = std::max(high, exposure);
             sparsest = std::min(sparsest, densityOf(at[std::size_t(k)]));
             densest = std::max(densest, densityOf(at[std::size_t(k)]));
-            if (rays.isBlocked || rays.room < 1.0 || rays.around.foot > 0.0f)
-                return found;
-            found.exposure[std::size_t(k)] = rays.around.exposure;
+            found.exposure[std::size_t(k)] = exposure;
         }
-        if (high - low > evenExposure)
+        if (high - low > evenExposure(of_.settings_))
             return found;
         // (s, v): (0, 0), (1, 0), (0, 1), (1, 1)
         list = {at[0], at[1], at[0], at[2]};
@@ -411,7 +406,7 @@ private:
             return false;
         const SampleGrid grid = gridOf(part, s, coarsestSample);
         sampleGrid(part, points, s, grid, CornerSites(), list);
-        if (!areEven(list))
+        if (!areEven(list, evenExposure(of_.settings_)))
             return false;
         const std::size_t lastRow = std::size_t(grid.alongV) * (grid.alongS + 1);
         list = {list[0], list[grid.alongS], list[lastRow], list[lastRow + grid.alongS]};
@@ -486,9 +481,7 @@ private:
     std::unordered_map<std::uint64_t, std::uint32_t> vertexOf_; ///< by ground vertex and up-vector
     std::unordered_map<std::uint32_t, std::uint32_t> pieceOf_;  ///< first one, by triangle
     std::unordered_map<std::string, std::uint32_t> conditionsOf_;
-    std::unordered_map<std::uint64_t, SeedRays> rays_;
     std::map<std::array<std::uint32_t, shared::seedCreaseWords>, std::uint32_t> creaseOf_;
-    std::uint64_t clumpKey_;
 };
 
 SeedCells::SeedCells(const terrain::GroundMesh& ground, const BakeSettings& settings,
@@ -499,7 +492,34 @@ SeedCells::SeedCells(const terrain::GroundMesh& ground, const BakeSettings& sett
     , meadow_(meadow)
     , units_(units)
     , sites_(sites)
+    , triangleOf_(ground.positions.size(), terrain::SurfaceQuery::none)
+    , exposures_(2 * ground.positions.size())
 {
+    for (std::size_t t = ground.triangles.size(); t-- > 0;)
+        for (glm::length_t k = 0; ground.bears[t] != 0 && k < 3; ++k)
+            triangleOf_[ground.triangles[t][k]] = static_cast<std::uint32_t>(t);
+    for (std::atomic<float>& exposure : exposures_)
+        exposure.store(unknownExposure, std::memory_order_relaxed);
+}
+
+// Threads that ask at the same time find the same.
+float SeedCells::exposureAtVertex(std::uint32_t vertex, bool isBack) const
+{
+    std::atomic<float>& known = exposures_[2 * std::size_t(vertex) + (isBack ? 1 : 0)];
+    if (const float exposure = known.load(std::memory_order_relaxed); exposure != unknownExposure)
+        return exposure;
+    const std::uint32_t triangle = triangleOf_[vertex];
+    const glm::uvec3 corners = ground_.triangles[triangle];
+    std::uint32_t k = 0;
+    while (k < 2 && corners[glm::length_t(k)] != vertex)
+        ++k;
+    const SeedRays rays = sites_.raysAt(
+        TrianglePoints(ground_, triangle)
+            .at(k == 1 ? 1.0f : 0.0f, k == 2 ? 1.0f : 0.0f, k | (isBack ? backSide : 0U)));
+    const bool isOpen = !rays.isBlocked && rays.room >= 1.0 && !(rays.around.foot > 0.0f);
+    const float exposure = isOpen ? rays.around.exposure : narrowPlace;
+    known.store(exposure, std::memory_order_relaxed);
+    return exposure;
 }
 
 field::SeedCell SeedCells::make(std::span<const SeedPlaces::Part> parts,

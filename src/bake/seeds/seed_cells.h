@@ -6,7 +6,10 @@
 #include "field/seeds/seeds.h"
 #include "terrain/ground_mesh.h"
 
+#include <atomic>
+#include <cstdint>
 #include <span>
+#include <vector>
 
 namespace sward::bake {
 
@@ -25,11 +28,17 @@ public:
 private:
     class Builder;
 
+    // Exposure of a vertex of bearing ground, the same for all its triangles; below 0 if rays find
+    // an obstacle or a foot there. Rays leave once.
+    float exposureAtVertex(std::uint32_t vertex, bool isBack) const;
+
     const terrain::GroundMesh& ground_;
     const BakeSettings& settings_;
     const field::SeedMeadow& meadow_;
     const SeedUnits& units_;
     const SeedSites& sites_;
+    std::vector<std::uint32_t> triangleOf_;             ///< the first that bears, of each vertex
+    mutable std::vector<std::atomic<float>> exposures_; ///< of both sides of each vertex
 };
 
 } // namespace sward::bake

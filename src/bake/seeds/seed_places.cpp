@@ -12,6 +12,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 #include <tuple>
 
 namespace sward::bake {
@@ -59,6 +60,11 @@ struct PartBox {
 PartBox boxOfPart(const SeedCorners& corners, const SeedPart& part)
 {
     PartBox box;
+    if (part.p + part.q == 0) {
+        for (const glm::dvec3& corner : {corners.a, corners.b, corners.c})
+            box.add(corner);
+        return box;
+    }
     for (std::uint32_t i = 0; i < 4; ++i) {
         const double s = std::sqrt(std::ldexp(double(part.u + (i & 1U)), -int(part.p)));
         const double v = std::ldexp(double(part.v + (i >> 1U)), -int(part.q));
@@ -157,14 +163,14 @@ SeedUnits::SeedUnits(const terrain::GroundMesh& ground, double scale, double rea
     if (std::ldexp(widest + reach, bits) > 0x1p30 || std::ldexp(reach, bits) > 0x1p28)
         fail(ErrorKind::input, "--seeds: a triangle is {:.4g} m wide, more than {:.4g}", widest,
              std::ldexp(1.0, 30 - bits));
-    bits_ = static_cast<std::uint32_t>(bits);
+    *this = SeedUnits(static_cast<std::uint32_t>(bits));
 }
 
 std::array<std::int64_t, 3> SeedUnits::of(glm::vec3 position) const
 {
     std::array<std::int64_t, 3> units;
     for (glm::length_t axis = 0; axis < 3; ++axis)
-        units[std::size_t(axis)] = floorOf(std::ldexp(double(position[axis]), int(bits_)) + 0.5);
+        units[std::size_t(axis)] = floorOf(double(position[axis]) * perMetre_ + 0.5);
     return units;
 }
 
@@ -220,7 +226,7 @@ PartBox boxOfUnits(const terrain::GroundMesh& ground, const SeedUnits& units, st
 
 SeedPlaces seedPlaces(const terrain::GroundMesh& ground, const BakeSettings& settings,
                       const SeedUnits& units, double clumpSpacing, double reach,
-                      const TileRegion* tile)
+                      const TileRegion* tile, const MoistureAt& moistureOf)
 {
     const auto holds = [&](const SeedCellNumber& cell) {
         return tile == nullptr || tile->holds(worldCell(ground.origin, cell));
@@ -279,10 +285,13 @@ SeedPlaces seedPlaces(const terrain::GroundMesh& ground, const BakeSettings& set
                     a, b, c, shared::sowClumpKey(clumpKey, static_cast<std::uint32_t>(source), i));
                 const glm::dvec3 centre = seedCellSide * glm::dvec3(cell[0], cell[1], cell[2]) +
                                           std::ldexp(1.0, -int(units.bits())) * glm::dvec3(place);
+                std::optional<std::int32_t> moisture;
                 eachCell(centre - reach, centre + reach, [&](const SeedCellNumber& near) {
                     if (!holds(near))
                         return;
-                    centres[block].push_back({near, {static_cast<std::uint32_t>(t), i}});
+                    if (!moisture)
+                        moisture = moistureOf(static_cast<std::uint32_t>(t), centre);
+                    centres[block].push_back({near, {static_cast<std::uint32_t>(t), i, *moisture}});
                 });
             }
         }

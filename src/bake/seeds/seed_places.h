@@ -9,6 +9,7 @@
 
 #include <array>
 #include <cstdint>
+#include <functional>
 #include <vector>
 
 namespace sward::bake {
@@ -29,6 +30,7 @@ public:
     /// Units of 2^−bits m.
     explicit SeedUnits(std::uint32_t bits)
         : bits_(bits)
+        , perMetre_(double(1U << bits))
     {
     }
 
@@ -44,7 +46,8 @@ public:
     SeedCellNumber cellOf(const SeedCellNumber& cell, const glm::ivec3& place) const;
 
 private:
-    std::uint32_t bits_;
+    std::uint32_t bits_ = 0;
+    double perMetre_ = 1.0;
 };
 
 /// A bearing triangle side, or a part of it: candidates whose (u, v) begin with these bits.
@@ -61,7 +64,11 @@ struct SeedPart {
 struct SeedCentre {
     std::uint32_t triangle; ///< index in the ground
     std::uint32_t number;   ///< on that triangle
+    std::int32_t moisture;  ///< of the ground there, as shared::SeedClump
 };
+
+/// Moisture of the ground at a place of a triangle, relative to the ground's origin [m].
+using MoistureAt = std::function<std::int32_t(std::uint32_t triangle, glm::dvec3 place)>;
 
 /// What touches each cell.
 struct SeedPlaces {
@@ -85,10 +92,11 @@ inline constexpr double widestPart = 8.0;
 
 /// Cuts large triangles into parts, lists the cells that the box of each part touches, and the
 /// cells within `reach` [m] of each centre of clumps `clumpSpacing` [m] apart. Cells outside of
-/// `tile` are left out; null: none are.
+/// `tile` are left out; null: none are. `moistureOf` is asked once for each centre that is listed,
+/// by several threads.
 SeedPlaces seedPlaces(const terrain::GroundMesh& ground, const BakeSettings& settings,
                       const SeedUnits& units, double clumpSpacing, double reach,
-                      const TileRegion* tile);
+                      const TileRegion* tile, const MoistureAt& moistureOf);
 
 /// The same cell, counted from the origin of the world.
 CellNumber worldCell(const glm::dvec3& origin, const SeedCellNumber& cell);

@@ -12,7 +12,9 @@
 
 #include <tbb/parallel_invoke.h>
 
+#include <algorithm>
 #include <memory>
+#include <mutex>
 #include <optional>
 #include <span>
 #include <utility>
@@ -51,18 +53,26 @@ TileResult bakeSeededTile(const GroundView& part, const BakeSettings& settings,
     }
     result.timing.rays = watch.lap();
     const double before = processorSeconds();
-    result.seeds = makeSeeds(view, settings, plan, tile, progress);
+    Growth growth;
+    growth.region.share = static_cast<float>(plan.seeds->stored);
+    growth.widening = plan.seeds->storedWidening;
+    const std::vector<field::Species> species = fieldSpecies(settings.meadow);
+    const CellGrower grower(*plan.seeds, species, part.ground.origin, growth);
+    std::mutex growing;
+    const auto grow = [&](const field::SeedCell& cell) {
+        CellTree tree = grower.grow(cell, "seeds");
+        if (tree.blades.empty())
+            return;
+        const std::lock_guard lock(growing);
+        result.cells.push_back(std::move(tree));
+    };
+    result.seeds = makeSeeds(view, settings, plan, tile, grow, progress);
+    // In the order of the seeds, whichever thread was first.
+    std::sort(result.cells.begin(), result.cells.end(),
+              [](const CellTree& a, const CellTree& b) { return a.cell < b.cell; });
+    result.counts = storedRoots(result.cells, species);
     result.timing.sample = watch.lap();
     result.timing.sampleBusy = processorSeconds() - before;
-
-    Growth growth;
-    growth.region.share = static_cast<float>(result.seeds.meadow.stored);
-    growth.widening = result.seeds.meadow.storedWidening;
-    const std::vector<field::Species> species = fieldSpecies(settings.meadow);
-    result.cells = growSeeds(field::viewOf(result.seeds), species, part.ground.origin, growth,
-                             "seeds", progress);
-    result.counts = storedRoots(result.cells, species);
-    result.timing.traits = watch.lap();
     return result;
 }
 

@@ -26,38 +26,57 @@ std::int64_t squaredLength(const glm::ivec3& v)
 
 NearClumps::NearClumps(const SeedCell& cell, const shared::SowMeadow& meadow,
                        const shared::SowGround& ground, const shared::SowWaves& waves)
-    : reach_(std::clamp<std::int64_t>(meadow.clumpReach, 1, longestReach))
+    : cell_(cell)
+    , meadow_(meadow)
+    , ground_(ground)
+    , waves_(waves)
+    , isShared_(std::any_of(
+          meadow.species, meadow.species + meadow.speciesCount,
+          [](const shared::SowSpecies& one) { return one.facing == shared::sowShared; }))
+    , reach_(std::clamp<std::int64_t>(meadow.clumpReach, 1, longestReach))
     , heads_(std::bit_ceil(cell.clumps.size() / 2 + 1), none)
 {
-    const bool isShared =
-        std::any_of(meadow.species, meadow.species + meadow.speciesCount,
-                    [](const shared::SowSpecies& one) { return one.facing == shared::sowShared; });
     centres_.reserve(cell.clumps.size());
-    for (const shared::SeedClump& clump : cell.clumps) {
+    for (std::uint32_t index = 0; index < cell.clumps.size(); ++index) {
+        const shared::SeedClump& clump = cell.clumps[index];
         const shared::SeedPiece& piece = cell.pieces[clump.piece];
         const shared::SeedVertex& a = cell.vertices[piece.corners[0]];
         const shared::SeedVertex& b = cell.vertices[piece.corners[1]];
         const shared::SeedVertex& c = cell.vertices[piece.corners[2]];
         Centre centre = {};
+        centre.clump = index;
+        centre.traits = none;
         centre.key = shared::sowClumpKey(meadow.clumpKey, piece.source, clump.number);
         centre.place = shared::sowClumpPlace(a, b, c, centre.key);
         if (std::max({std::abs(centre.place.x), std::abs(centre.place.y),
                       std::abs(centre.place.z)}) > farthestCentre)
             continue;
-        glm::vec3 first;
-        glm::vec3 second;
-        shared::sowEdges(a, b, c, first, second);
-        if (isShared)
-            centre.along = shared::sowClumpDirection(first, second, centre.key);
-        if (meadow.wideVariation > 0.0f)
-            centre.wide =
-                shared::sowClumpTraits(meadow, clump, centre.place, first, second, ground, waves);
         glm::ivec3 half;
         std::uint32_t& head = heads_[headOf(bucketOf(centre.place, half))];
         centre.next = head;
         head = static_cast<std::uint32_t>(centres_.size());
         centres_.push_back(centre);
     }
+}
+
+const NearClumps::Traits& NearClumps::traitsOf(Centre& centre) const
+{
+    if (centre.traits != none)
+        return traits_[centre.traits];
+    centre.traits = static_cast<std::uint32_t>(traits_.size());
+    Traits& traits = traits_.emplace_back();
+    const shared::SeedClump& clump = cell_.clumps[centre.clump];
+    const shared::SeedPiece& piece = cell_.pieces[clump.piece];
+    glm::vec3 first;
+    glm::vec3 second;
+    shared::sowEdges(cell_.vertices[piece.corners[0]], cell_.vertices[piece.corners[1]],
+                     cell_.vertices[piece.corners[2]], first, second);
+    if (isShared_)
+        traits.along = shared::sowClumpDirection(first, second, centre.key);
+    if (meadow_.wideVariation > 0.0f)
+        traits.wide =
+            shared::sowClumpTraits(meadow_, clump, centre.place, first, second, ground_, waves_);
+    return traits;
 }
 
 std::size_t NearClumps::headOf(const glm::ivec3& bucket) const
@@ -89,7 +108,7 @@ shared::SowClump NearClumps::nearest(const glm::ivec3& place, std::uint64_t own)
         return clump;
     glm::ivec3 half;
     const glm::ivec3 bucket = bucketOf(place, half);
-    const Centre* best = nullptr;
+    Centre* best = nullptr;
     std::int64_t bestSquared = reach_ * reach_;
     for (int i = 0; i < 8; ++i) {
         const glm::ivec3 step(i & 1, i >> 1 & 1, i >> 2);
@@ -106,8 +125,9 @@ shared::SowClump NearClumps::nearest(const glm::ivec3& place, std::uint64_t own)
     if (best != nullptr) {
         clump.key = best->key;
         clump.offset = place - best->place;
-        clump.along = best->along;
-        clump.wide = best->wide;
+        const Traits& traits = traitsOf(*best);
+        clump.along = traits.along;
+        clump.wide = traits.wide;
         clump.isAny = 1;
     }
     return clump;

@@ -10,10 +10,11 @@
 
 namespace sward::field {
 
-/// The clumps of a cell of seeds, by place.
+/// The clumps of a cell of seeds, by place. For one thread: the traits of a clump are computed when
+/// it is first asked for.
 class NearClumps {
 public:
-    /// `waves` and `ground` are those of the cell.
+    /// `waves` and `ground` are those of the cell. All arguments must outlive it.
     NearClumps(const SeedCell& cell, const shared::SowMeadow& meadow,
                const shared::SowGround& ground, const shared::SowWaves& waves);
 
@@ -24,17 +25,29 @@ public:
 private:
     struct Centre {
         glm::ivec3 place;
+        std::uint32_t next;
+        std::uint64_t key;
+        std::uint32_t clump;  ///< of the cell
+        std::uint32_t traits; ///< index of its traits; unknown until it is asked for
+    };
+    struct Traits {
         glm::vec3 along;
         shared::SowClumpTraits wide;
-        std::uint64_t key;
-        std::uint32_t next;
     };
+
+    const Traits& traitsOf(Centre& centre) const;
 
     std::size_t headOf(const glm::ivec3& bucket) const;
     glm::ivec3 bucketOf(const glm::ivec3& place, glm::ivec3& half) const;
 
+    const SeedCell& cell_;
+    const shared::SowMeadow& meadow_;
+    const shared::SowGround& ground_;
+    shared::SowWaves waves_;
+    bool isShared_;      ///< some species has a shared direction
     std::int64_t reach_; ///< units; buckets are twice as wide
-    std::vector<Centre> centres_;
+    mutable std::vector<Centre> centres_;
+    mutable std::vector<Traits> traits_; ///< of those that were asked for
     std::vector<std::uint32_t> heads_;
 };
 
