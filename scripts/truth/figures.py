@@ -20,32 +20,43 @@ def band_rows(name, height):
             "all": slice(0, height)}[name]
 
 
-def figures_of(picture, shown):
-    """Mean luminance, contrast, share of dark pixels, blue over green of the pixels that are `shown`."""
+def spread(picture, halves, shown):
+    """Standard deviation of luminance. The covariance of two halves, whose noise is independent, leaves their noise out."""
+    one, other = ((half[shown] @ LUMINANCE) for half in (halves or (picture, picture)))
+    return float(np.sqrt(max(((one - one.mean()) * (other - other.mean())).mean(), 0.0)))
+
+
+def figures_of(picture, shown, halves=None):
+    """Mean luminance, contrast, share of dark pixels, blue over green of the pixels that are `shown`. `halves`: the picture by
+    each half of its samples, if they are known."""
     light = picture[shown]
     luminance = light @ LUMINANCE
     if not len(luminance) or luminance.mean() <= 0.0:
         return {"pixels": int(len(luminance)), "mean": 0.0, "contrast": 0.0, "dark": 0.0, "blue_green": 0.0}
     return {"pixels": int(len(luminance)), "mean": float(luminance.mean()),
-            "contrast": float(luminance.std() / luminance.mean()),
+            "contrast": spread(picture, halves, shown) / float(luminance.mean()),
             "dark": float((luminance < DARK * np.percentile(luminance, 90)).mean()),
             "blue_green": float(light[:, 2].mean() / max(light[:, 1].mean(), 1e-12))}
 
 
-def compared(ours, truth, halves, shown, ppd):
+def compared(ours, truth, halves, shown, ppd, our_halves=()):
     """{light: {band: {"ours", "truth", "flip", "noise"}}} of dictionaries of pictures by light. `halves`: two with half of the
-    truth's samples each; the FLIP between them, "noise", is above what the truth's own noise adds. `shown`: pixels without sky."""
+    truth's samples each; the FLIP between them, "noise", is above what the truth's own noise adds. `shown`: pixels without sky.
+    `our_halves`: the same of ours, or nothing."""
     result = {}
     for light in (light for light in LIGHTS if light in ours):
         mine, real = (np.where(shown[..., None], picture[light], 0.0) for picture in (ours, truth))
         error = flip.hdr_flip(real, mine, ppd)
         noise = flip.hdr_flip(*(np.where(shown[..., None], half[light], 0.0) for half in halves), ppd)
+        by_halves = [[half[light] for half in pair] for pair in (our_halves, halves)]
         result[light] = {}
         for band in BANDS:
             rows = band_rows(band, len(shown))
             part = shown[rows]
             mean = lambda errors: float(errors[rows][part].mean()) if part.any() else 0.0
-            result[light][band] = {"ours": figures_of(mine[rows], part), "truth": figures_of(real[rows], part),
+            one, other = (figures_of(picture[rows], part, [half[rows] for half in pair])
+                          for picture, pair in zip((mine, real), by_halves))
+            result[light][band] = {"ours": one, "truth": other,
                                    "flip": mean(error), "noise": mean(noise)}
     return result
 

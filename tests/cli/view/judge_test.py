@@ -153,6 +153,27 @@ class Figures(unittest.TestCase):
         self.assertEqual(found["all"]["far"]["ours"]["pixels"], 0)
         self.assertEqual(figures.missed("p", found, {"mean": 0.0, "contrast": 0.0, "flip": 0.0}), [])
 
+    def test_noise_is_no_contrast(self):
+        random = np.random.default_rng(1)
+        even = np.full((90, 160, 3), 0.2)
+        even[:, ::2] *= 1.5              # contrast 0.2
+        halves = [{"all": even + random.normal(0.0, 0.1, even.shape[:2])[..., None]} for _ in "ab"]
+        noisy = {"all": 0.5 * (halves[0]["all"] + halves[1]["all"])}
+        shown = np.ones(even.shape[:2], bool)
+        found = figures.compared(noisy, noisy, halves, shown, 67.0, halves)["all"]["all"]
+        self.assertAlmostEqual(found["truth"]["contrast"], 0.2, delta=0.01)
+        self.assertEqual(found["ours"]["contrast"], found["truth"]["contrast"])
+        # Of a picture whose samples are not known the noise counts.
+        self.assertGreater(figures.compared(noisy, noisy, halves, shown, 67.0)["all"]["all"]["ours"]["contrast"], 0.3)
+
+    def test_a_pixel_is_the_mean_of_its_samples(self):
+        samples = np.arange(4 * 6 * 3, dtype=float).reshape(4, 6, 3)
+        mean, (white, black) = the_script().reduced(samples, 2)
+        np.testing.assert_allclose(mean, samples.reshape(2, 2, 3, 2, 3).mean(axis=(1, 3)))
+        np.testing.assert_allclose(white[0, 1], 0.5 * (samples[0, 2] + samples[1, 3]))
+        np.testing.assert_allclose(0.5 * (white + black), mean)
+        self.assertEqual(the_script().reduced(samples, 1)[1], [])
+
     def test_cameras_look_at_the_middle_from_their_distance(self):
         for scene in scenes.SCENES.values():
             for distance in scenes.DISTANCES:
