@@ -8,10 +8,21 @@ import light_pictures  # noqa: E402
 
 HEAD = """# Real time beside truth
 
-`scripts/judge` has made this page: {command}. [How it judges](algorithms/truth.md).
-Each picture: `sward-view render`, the same blades traced by Cycles, and four times their difference.
+`scripts/judge --page` has made this page. [How it judges](algorithms/truth.md), and why it differs. Each picture: `sward-view render`, the same blades
+traced by Cycles, and four times their difference. {how}.
 """
-QUALITY = 82  # of JPEG: noise is no detail
+TABLE = """
+## All pictures
+
+By scene, distance [m] and sun, relative to the truth; *sun* and *sky* are mean luminance by each light alone. {how}. *Noise* is the FLIP between two
+halves of the truth's samples: that much no picture can be expected to be nearer.
+
+{met}
+
+"""
+QUALITY = 88  # of JPEG: noise is no detail
+AIMS = {"mean": 0.05, "contrast": 0.10, "blue_green": 0.05, "flip": 0.05}
+NAMES = {"mean": "luminance", "contrast": "contrast", "blue_green": "blue/green", "flip": "FLIP"}
 
 
 def ratio(one, key):
@@ -26,15 +37,35 @@ def figures_of(result):
 
 def comparison(results, before):
     """Markdown: of each picture the figures before, if they are known, and now."""
+    now_alone = ["far, middle, near", "sun", "sky"]
     names = ["mean", "contrast", "blue/green", "FLIP"]
-    lines = ["| picture | " + " | ".join(f"{name}, before → now" for name in names) + " | noise of the truth |",
-             "| --- |" + " ---: |" * (len(names) + 1)]
+    lines = [f"| picture | {' | '.join(f'{name}, before → now' for name in names)} | noise | {' | '.join(now_alone)} |",
+             "| --- |" + " ---: |" * (len(names) + 1 + len(now_alone))]
     for name, result in results.items():
         now = figures_of(result)
         was = figures_of(before[name]) if name in before else ["–"] * len(now)
-        cells = [f"{a} → {b}" for a, b in zip(was, now)]
-        lines.append(f"| {name} | {' | '.join(cells)} | {result['all']['all']['noise']:.2f} |")
+        cells = [f"{a} → {b}" for a, b in zip(was, now)] + [f"{result['all']['all']['noise']:.2f}"]
+        cells.append(" ".join(f"{ratio(result['all'][band], 'mean'):.2f}" for band in ("far", "middle", "near")))
+        cells += [f"{ratio(result[light]['all'], 'mean'):.2f}" if light in result else "–" for light in ("sun", "sky")]
+        lines.append(f"| {name} | {' | '.join(cells)} |")
     return "\n".join(lines) + "\n"
+
+
+def met(results):
+    """A sentence: how many pictures meet each aim as a whole."""
+    wholes = [result["all"]["all"] for result in results.values()]
+    counts = {key: sum(one["flip"] <= aim if key == "flip" else abs(ratio(one, key) - 1.0) <= aim for one in wholes)
+              for key, aim in AIMS.items()}
+    parts = [f"{NAMES[key]} {'at most' if key == 'flip' else 'within'} {AIMS[key]:g} in {count}" for key, count in counts.items()]
+    return f"Aims and how many of the {len(wholes)} pictures meet them: {', '.join(parts)}."
+
+
+def described(report):
+    """A sentence on how pictures were made."""
+    size = "×".join(map(str, report["size"])) + " pixels, " if report.get("size") else ""
+    devices = sorted({field["device"] for field in report["fields"].values() if "device" in field})
+    ours = report["supersample"] ** 2 if report["supersample"] > 1 else 4
+    return f"{size}{report['samples']} samples of a pixel by Cycles and {ours} of ours" + (f", drawn on {', '.join(devices)}" if devices else "")
 
 
 def write_jpeg(path, png):
@@ -42,11 +73,12 @@ def write_jpeg(path, png):
     Image.fromarray(light_pictures.codes(png)).save(path, quality=QUALITY)
 
 
-def write(page, folder, results, before, command, shown=6):
-    """Writes `page` and, beside it in truth/, a JPEG for the first picture of each of the first `shown` scenes."""
+def write(page, folder, report, table, before, shown=6):
+    """Writes `page` and, beside it in truth/, a JPEG for one picture of each of the first `shown` scenes of `report`. The figures
+    below the pictures are those of the report `table`, and of the pictures `before`."""
     pictures = page.parent / "truth"
     pictures.mkdir(parents=True, exist_ok=True)
-    text, scenes = HEAD.format(command=command), []
+    text, scenes, results = HEAD.format(how=described(report)), [], report["pictures"]
     for name in results:
         scene = name.split(".")[0]
         if scene not in scenes and len(scenes) < shown:
@@ -55,8 +87,9 @@ def write(page, folder, results, before, command, shown=6):
             chosen = same[len(scenes) % len(same)]
             scenes.append(scene)
             write_jpeg(pictures / f"{scene}.jpg", folder / f"{chosen}.pair.png")
-            mean, contrast, *_ = figures_of(results[chosen])
+            mean, contrast, _, flip = figures_of(results[chosen])
             text += (f"\n![{chosen}: ours, the truth, four times the difference](truth/{scene}.jpg)\n\n"
-                     f"*{chosen}*: {mean} of the true luminance, {contrast} of the true contrast.\n")
-    text += "\nAll pictures, by scene, distance [m] and sun, relative to the truth:\n\n" + comparison(results, before)
+                     f"*{chosen}*: {mean} of the true luminance, {contrast} of the true contrast, FLIP {flip}, of which the truth's noise "
+                     f"is up to {results[chosen]['all']['all']['noise']:.2f}.\n")
+    text += TABLE.format(how=described(table), met=met(table["pictures"])) + comparison(table["pictures"], before)
     page.write_text(text, encoding="utf-8")

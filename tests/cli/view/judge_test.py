@@ -209,11 +209,13 @@ class Command(JudgeTest):
 
         # A page of it, with the figures before.
         needs("pillow")
-        page.write(self.folder / "page.md", self.folder / "out", report["pictures"], {"small.0.0": found}, "by a test")
+        page.write(self.folder / "page.md", self.folder / "out", report, report, {"small.0.0": found})
         text = (self.folder / "page.md").read_text(encoding="utf-8")
         self.assertIn("![small.0.0: ours, the truth, four times the difference](truth/small.jpg)", text)
         self.assertRegex(text, r"\| small\.0\.0 \| (\d\.\d\d) → \1 \|")
         self.assertGreater((self.folder / "truth/small.jpg").stat().st_size, 500)
+        self.assertRegex(text, r"64×36 pixels, 64 samples of a pixel by Cycles and 4 of ours, drawn on \w+")
+        self.assertIn("Aims and how many of the 1 pictures meet them: luminance within 0.05 in ", text)
 
     def test_a_picture_of_others_is_compared(self):
         picture = self.folder / "picture.exr"
@@ -240,7 +242,8 @@ class Command(JudgeTest):
     def test_it_says_what_is_wrong(self):
         for arguments, code, words in (
                 ([self.field, "--camera", self.camera, "--sun", "1,2", "--blender", "no-such-program"], 5, "install blender"),
-                ([self.field], 1, "a field needs --camera and --sun"), (["--scenes", "moon"], 1, "'moon' is none of grass"),
+                ([self.field], 1, "a field needs --camera and --sun"),
+                (["--scenes", "lawn", "--only", "lawn.2.high,grass.2.high"], 1, "no picture 'grass.2.high' of these"), (["--scenes", "moon"], 1, "'moon' is none of grass"),
                 ([self.field, "--camera", self.camera, "--sun", "high"], 1, "neither AZIMUTH,ELEVATION nor x,y,z"),
                 ([self.camera, "--camera", self.camera, "--sun", "1,2", "--blender", self.blender], 4, "sward-view fails with code 3")):
             self.assertIn(words, self.judge(*arguments, code=code, out="wrong"))
