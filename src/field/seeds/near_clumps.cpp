@@ -45,7 +45,6 @@ NearClumps::NearClumps(const SeedCell& cell, const shared::SowMeadow& meadow,
         const shared::SeedVertex& c = cell.vertices[piece.corners[2]];
         Centre centre = {};
         centre.clump = index;
-        centre.traits = none;
         centre.key = shared::sowClumpKey(meadow.clumpKey, piece.source, clump.number);
         centre.place = shared::sowClumpPlace(a, b, c, centre.key);
         if (std::max({std::abs(centre.place.x), std::abs(centre.place.y),
@@ -57,14 +56,17 @@ NearClumps::NearClumps(const SeedCell& cell, const shared::SowMeadow& meadow,
         head = static_cast<std::uint32_t>(centres_.size());
         centres_.push_back(centre);
     }
+    traits_ = std::make_unique<Traits[]>(centres_.size());
 }
 
-const NearClumps::Traits& NearClumps::traitsOf(Centre& centre) const
+const NearClumps::Traits& NearClumps::traitsOf(const Centre& centre) const
 {
-    if (centre.traits != none)
-        return traits_[centre.traits];
-    centre.traits = static_cast<std::uint32_t>(traits_.size());
-    Traits& traits = traits_.emplace_back();
+    Traits& traits = traits_[static_cast<std::size_t>(&centre - centres_.data())];
+    if (traits.isKnown.load(std::memory_order_acquire))
+        return traits;
+    const std::lock_guard lock(mutex_);
+    if (traits.isKnown.load(std::memory_order_relaxed))
+        return traits;
     const shared::SeedClump& clump = cell_.clumps[centre.clump];
     const shared::SeedPiece& piece = cell_.pieces[clump.piece];
     glm::vec3 first;
@@ -76,6 +78,7 @@ const NearClumps::Traits& NearClumps::traitsOf(Centre& centre) const
     if (meadow_.wideVariation > 0.0f)
         traits.wide =
             shared::sowClumpTraits(meadow_, clump, centre.place, first, second, ground_, waves_);
+    traits.isKnown.store(true, std::memory_order_release);
     return traits;
 }
 
@@ -108,7 +111,7 @@ shared::SowClump NearClumps::nearest(const glm::ivec3& place, std::uint64_t own)
         return clump;
     glm::ivec3 half;
     const glm::ivec3 bucket = bucketOf(place, half);
-    Centre* best = nullptr;
+    const Centre* best = nullptr;
     std::int64_t bestSquared = reach_ * reach_;
     for (int i = 0; i < 8; ++i) {
         const glm::ivec3 step(i & 1, i >> 1 & 1, i >> 2);

@@ -5,18 +5,23 @@
 
 #include <glm/vec3.hpp>
 
+#include <atomic>
 #include <cstdint>
+#include <memory>
+#include <mutex>
 #include <vector>
 
 namespace sward::field {
 
-/// The clumps of a cell of seeds, by place. For one thread: the traits of a clump are computed when
-/// it is first asked for.
+/// The clumps of a cell of seeds, by place. The traits of a clump are computed when it is first
+/// asked for. Thread-safe.
 class NearClumps {
 public:
     /// `waves` and `ground` are those of the cell. All arguments must outlive it.
     NearClumps(const SeedCell& cell, const shared::SowMeadow& meadow,
                const shared::SowGround& ground, const shared::SowWaves& waves);
+    NearClumps(const NearClumps&) = delete; // it keeps references to its neighbours
+    NearClumps& operator=(const NearClumps&) = delete;
 
     /// The clump nearest to a place of the cell, of equally near ones that of the lowest key. With
     /// none within reach, one of the candidate `own` alone.
@@ -27,15 +32,15 @@ private:
         glm::ivec3 place;
         std::uint32_t next;
         std::uint64_t key;
-        std::uint32_t clump;  ///< of the cell
-        std::uint32_t traits; ///< index of its traits; unknown until it is asked for
+        std::uint32_t clump; ///< of the cell
     };
     struct Traits {
-        glm::vec3 along;
-        shared::SowClumpTraits wide;
+        std::atomic<bool> isKnown{false};
+        glm::vec3 along{0.0f};
+        shared::SowClumpTraits wide = {};
     };
 
-    const Traits& traitsOf(Centre& centre) const;
+    const Traits& traitsOf(const Centre& centre) const;
 
     std::size_t headOf(const glm::ivec3& bucket) const;
     glm::ivec3 bucketOf(const glm::ivec3& place, glm::ivec3& half) const;
@@ -46,8 +51,9 @@ private:
     shared::SowWaves waves_;
     bool isShared_;      ///< some species has a shared direction
     std::int64_t reach_; ///< units; buckets are twice as wide
-    mutable std::vector<Centre> centres_;
-    mutable std::vector<Traits> traits_; ///< of those that were asked for
+    std::vector<Centre> centres_;
+    mutable std::mutex mutex_;         ///< of who computes traits
+    std::unique_ptr<Traits[]> traits_; ///< one per centre
     std::vector<std::uint32_t> heads_;
 };
 

@@ -58,6 +58,7 @@ class Sower;
 
 /// What all blades of a 32 m cell share.
 struct CellSurroundings {
+    /// Both must outlive it.
     CellSurroundings(const SeedCell& cell, const Sower& sower);
 
     /// Box of the places of a piece [units].

@@ -19,7 +19,9 @@
 #include <algorithm>
 #include <cmath>
 #include <cstring>
+#include <future>
 #include <map>
+#include <memory>
 #include <set>
 #include <tuple>
 #include <vector>
@@ -285,7 +287,37 @@ TEST(Seeds, UnitsShareOutTheBladesWithinTheirBounds)
     }
     EXPECT_GT(blades, 100'000U);
     EXPECT_GT(levels, 3U);
-    EXPECT_GT(units, seeds.cells.size() * levels) << "some are parts of cells"; 
+    EXPECT_GT(units, seeds.cells.size() * levels) << "some are parts of cells";
+}
+
+TEST(Seeds, UnitsOfACellGrowInSeveralThreads)
+{
+    const field::Field seeded =
+        bakeOf(meshes::hills(30.0, 16), meadowSettings(60.0), SeedUse::always);
+    const field::SeedsView& seeds = seeded.seeds->view;
+    const field::Sower sower(*seeds.meadow, seeded.species, seeded.origin);
+    const field::SowUnit unit{.cell = seeds.cells[0].cell, .level = 3};
+    const auto grown = [&](const field::UnitCell& cell) {
+        return field::growUnit(sower, seeded.species, cell, unit).blades;
+    };
+    const auto cellOf = [&] {
+        return std::make_unique<field::UnitCell>(field::readSeedCell(seeds, 0, "seeded"), sower);
+    };
+    const auto expected = grown(*cellOf());
+    ASSERT_GT(expected.size(), 1000U);
+    for (int round = 0; round < 5; ++round) {
+        // What clumps have is computed by whom asks first.
+        const auto cell = cellOf();
+        std::vector<std::future<decltype(grown(*cell))>> parts;
+        for (int thread = 0; thread < 6; ++thread)
+            parts.push_back(std::async(std::launch::async, [&] { return grown(*cell); }));
+        for (auto& part : parts) {
+            const auto found = part.get();
+            ASSERT_EQ(found.size(), expected.size());
+            EXPECT_EQ(std::memcmp(found.data(), expected.data(), found.size() * sizeof found[0]),
+                      0);
+        }
+    }
 }
 
 TEST(Seeds, AShareIsTheUniformBakeOfThatDensity)
