@@ -54,32 +54,42 @@ Aabb boxOf(const SowUnit& unit)
     return box;
 }
 
-float lowestRank(std::uint32_t level, std::uint32_t levels)
+float lowestRank(std::uint32_t level, std::uint32_t half, std::uint32_t levels)
 {
-    return level == 0 ? 0.0f : std::ldexp(1.0f, 2 * (int(level) - 1 - int(levels)));
+    return level == 0 ? 0.0f : std::ldexp(1.0f, 2 * (int(level) - 1 - int(levels)) + int(half));
 }
 
 UnitCell::UnitCell(SeedCell&& seeds, const Sower& sower)
     : seeds_(std::move(seeds))
     , around_(seeds_, sower)
+    , cubes_(cubesOf(seeds_, sower.meadow().unitBits))
 {
-    const std::uint32_t bits = sower.meadow().unitBits;
-    for (std::size_t i = 0; i < seeds_.pieces.size(); ++i) {
-        if (seeds_.pieces[i].count == 0)
+}
+
+UnitCell::Cubes cubesOf(const SeedCell& cell, std::uint32_t unitBits)
+{
+    UnitCell::Cubes cubes;
+    for (const shared::SeedPiece& piece : cell.pieces) {
+        if (piece.count == 0)
             continue;
-        const CellSurroundings::Box& box = around_.boxes[i];
-        glm::ivec3 low;
-        glm::ivec3 high;
-        for (glm::length_t axis = 0; axis < 3; ++axis) {
-            low[axis] = std::max(cubeOf(box.low[axis], bits), 0);
-            high[axis] = std::min(cubeOf(box.high[axis], bits), int(cubesAlong) - 1);
+        int low[3] = {int(cubesAlong), int(cubesAlong), int(cubesAlong)};
+        int high[3] = {-1, -1, -1};
+        for (const std::uint32_t corner : piece.corners) {
+            const shared::SeedVertex& vertex = cell.vertices[corner];
+            const int place[3] = {vertex.x, vertex.y, vertex.z};
+            for (int axis = 0; axis < 3; ++axis) {
+                const int cube = cubeOf(place[axis], unitBits);
+                low[axis] = std::min(low[axis], std::max(cube, 0));
+                high[axis] = std::max(high[axis], std::min(cube, int(cubesAlong) - 1));
+            }
         }
-        for (int z = low.z; z <= high.z; ++z)
-            for (int y = low.y; y <= high.y; ++y)
-                for (int x = low.x; x <= high.x; ++x)
-                    cubes_.set(std::size_t(x) +
-                               cubesAlong * (std::size_t(y) + cubesAlong * std::size_t(z)));
+        for (int z = low[2]; z <= high[2]; ++z)
+            for (int y = low[1]; y <= high[1]; ++y)
+                for (int x = low[0]; x <= high[0]; ++x)
+                    cubes.set(std::size_t(x) +
+                              cubesAlong * (std::size_t(y) + cubesAlong * std::size_t(z)));
     }
+    return cubes;
 }
 
 bool UnitCell::bears(const SowUnit& unit) const
@@ -123,8 +133,9 @@ GrownUnit growUnit(const Sower& sower, std::span<const Species> species, const U
         region.high[axis] = region.low[axis] + side;
     }
     const std::uint32_t levels = sower.meadow().levels;
-    region.from = lowestRank(unit.level, levels);
-    region.share = unit.level == levels ? 1.0f : lowestRank(unit.level + 1, levels);
+    region.from = lowestRank(unit.level, unit.half, levels);
+    region.share =
+        unit.half == 0 ? lowestRank(unit.level, 1, levels) : lowestRank(unit.level + 1, 0, levels);
     SownCell sown = sower.sow(cell.seeds(), cell.around(), region);
 
     GrownUnit result;

@@ -19,11 +19,13 @@ namespace sward::field {
 /// Side of the finest units in a 32 m cell: 1/8 of that.
 constexpr std::uint32_t finestUnits = 3;
 
-/// What is sown at once: the blades of one level (shared::sowLevel()) in a cube of 32 m / 2^n, with
-/// n three less than the level and at most finestUnits: about as many blades at each level.
+/// What is sown at once: half of the ranks of one level (shared::sowLevel()) in a cube of 32 m /
+/// 2^n, with n three less than the level and at most finestUnits: about as many blades at each
+/// level. The first half are the ranks up to twice the lowest. Level 0 has all in the second.
 struct SowUnit {
     std::array<std::int32_t, 3> cell{};   ///< 32 m cell, as SeedEntry::cell
     std::uint32_t level = 0;              ///< of ranks, 0 to SeedMeadow::levels
+    std::uint32_t half = 0;               ///< 0 or 1
     std::array<std::uint32_t, 3> place{}; ///< of the cube in the cell
 
     auto operator<=>(const SowUnit&) const = default; ///< some order
@@ -35,8 +37,8 @@ std::uint32_t unitLevel(std::uint32_t level);
 /// Box of its roots relative to the field's origin [m].
 Aabb boxOf(const SowUnit& unit);
 
-/// Lowest rank of a level, and that of the next level.
-float lowestRank(std::uint32_t level, std::uint32_t levels);
+/// Lowest rank of a half of a level, and the end of the half before; 1 behind the last one.
+float lowestRank(std::uint32_t level, std::uint32_t half, std::uint32_t levels);
 
 /// A 32 m cell from which units are grown.
 class UnitCell {
@@ -58,6 +60,9 @@ private:
     CellSurroundings around_;
     Cubes cubes_;
 };
+
+/// UnitCell::cubes() of a cell.
+UnitCell::Cubes cubesOf(const SeedCell& cell, std::uint32_t unitBits);
 
 /// Whether something may bear in a unit of a cell with these cubes.
 bool bears(const UnitCell::Cubes& cubes, const SowUnit& unit);

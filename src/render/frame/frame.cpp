@@ -182,8 +182,8 @@ shared::Eyepoint testsOf(const FrameSettings& settings)
 float sparseDistance(const FieldShape& field, float full)
 {
     constexpr double twoPi = 6.283185307179586;
-    // Whole units come, and grounds are rough: three quarters of what is there is drawn.
-    constexpr double units = 1.35;
+    // Whole units come, with up to twice the ranks that are drawn: half of what is there is drawn.
+    constexpr double units = 2.0;
     const glm::vec3 size = field.content.size();
     const double farthest = glm::length(glm::dvec3(size));
     const double room = field.sown.room / units;

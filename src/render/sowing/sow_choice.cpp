@@ -32,7 +32,7 @@ SowChoice::SowChoice(const field::SeedsView& seeds)
 {
     const std::uint32_t levels = seeds.meadow->levels;
     while (firstLevel_ <= levels &&
-           field::lowestRank(firstLevel_, levels) < static_cast<float>(seeds.meadow->stored))
+           field::lowestRank(firstLevel_, 0, levels) < static_cast<float>(seeds.meadow->stored))
         ++firstLevel_;
 }
 
@@ -43,16 +43,15 @@ void SowChoice::findIn(std::size_t index, std::span<const shared::Eyepoint> all,
     field::SowUnit unit;
     unit.cell = seeds_->cells[index].cell;
     const float most = shareIn(field::boxOf(unit), all, threshold);
-    if (firstLevel_ > levels || most <= field::lowestRank(firstLevel_, levels))
+    if (firstLevel_ > levels || most <= field::lowestRank(firstLevel_, 0, levels))
         return;
     const auto known = cubes_.find(unit.cell);
     if (known == cubes_.end()) {
-        wanted.push_back({most / field::lowestRank(firstLevel_, levels), true, unit});
+        wanted.push_back({most / field::lowestRank(firstLevel_, 0, levels), true, unit});
         return;
     }
     for (unit.level = firstLevel_; unit.level <= levels; ++unit.level) {
-        const float lowest = field::lowestRank(unit.level, levels);
-        if (most <= lowest)
+        if (most <= field::lowestRank(unit.level, 0, levels))
             return;
         const std::uint32_t side = 1U << field::unitLevel(unit.level);
         for (unit.place[2] = 0; unit.place[2] < side; ++unit.place[2])
@@ -61,8 +60,12 @@ void SowChoice::findIn(std::size_t index, std::span<const shared::Eyepoint> all,
                     if (!field::bears(known->second, unit))
                         continue;
                     const float share = shareIn(field::boxOf(unit), all, threshold);
-                    if (share > lowest)
-                        wanted.push_back({share / lowest, false, unit});
+                    for (unit.half = 0; unit.half < 2; ++unit.half) {
+                        const float lowest = field::lowestRank(unit.level, unit.half, levels);
+                        if (share > lowest)
+                            wanted.push_back({share / lowest, false, unit});
+                    }
+                    unit.half = 0;
                 }
     }
 }
@@ -86,7 +89,7 @@ float SowChoice::scoreOf(const field::SowUnit& unit, std::span<const shared::Eye
 {
     const Aabb box = field::boxOf(unit);
     return std::max(shareIn(box, eyes, threshold), shareIn(box, ahead, threshold)) /
-           field::lowestRank(unit.level, seeds_->meadow->levels);
+           field::lowestRank(unit.level, unit.half, seeds_->meadow->levels);
 }
 
 void SowChoice::know(const std::array<std::int32_t, 3>& cell, const field::UnitCell::Cubes& cubes)

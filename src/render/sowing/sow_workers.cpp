@@ -7,8 +7,8 @@
 namespace sward::render {
 namespace {
 
-/// Cells that are kept unpacked: about 0.3 MB each on ground with triangles of a metre.
-constexpr std::size_t keptCells = 96;
+/// Cells that are kept unpacked: about 0.6 MB each on ground with triangles of a metre.
+constexpr std::size_t keptCells = 256;
 
 } // namespace
 
@@ -103,31 +103,50 @@ void SowWorkers::work()
 
 SowWorkers::Result SowWorkers::done(const Job& job)
 {
+    if (!job.unit) {
+        const field::SeedCell cell = field::readSeedCell(*seeds_, job.cell, "the field's seeds");
+        return {
+            .cell = cell.cell, .cubes = field::cubesOf(cell, sower_.meadow().unitBits), .unit = {}};
+    }
     const std::shared_ptr<const field::UnitCell> cell = cellAt(job.cell);
     Result result{.cell = cell->seeds().cell, .cubes = cell->cubes(), .unit = {}};
-    if (job.unit) {
-        result.unit = field::growUnit(sower_, species_, *cell, *job.unit);
-        result.unit->keys = {};
-    }
+    result.unit = field::growUnit(sower_, species_, *cell, *job.unit);
+    result.unit->keys = {};
     return result;
 }
 
+/// One thread unpacks a cell; the others that want it wait.
 std::shared_ptr<const field::UnitCell> SowWorkers::cellAt(std::size_t index)
 {
-    {
-        const std::lock_guard lock(mutex_);
+    std::unique_lock lock(mutex_);
+    for (;;) {
         const auto found = std::ranges::find(cached_, index, &Cached::cell);
         if (found != cached_.end()) {
             cached_.splice(cached_.begin(), cached_, found);
             return found->content;
         }
+        if (!making_.contains(index))
+            break;
+        changed_.wait(lock);
     }
-    auto made = std::make_shared<const field::UnitCell>(
-        field::readSeedCell(*seeds_, index, "the field's seeds"), sower_);
-    const std::lock_guard lock(mutex_);
+    making_.insert(index);
+    lock.unlock();
+    std::shared_ptr<const field::UnitCell> made;
+    try {
+        made = std::make_shared<const field::UnitCell>(
+            field::readSeedCell(*seeds_, index, "the field's seeds"), sower_);
+    } catch (...) {
+        lock.lock();
+        making_.erase(index);
+        changed_.notify_all();
+        throw;
+    }
+    lock.lock();
+    making_.erase(index);
     cached_.push_front({index, made});
     if (cached_.size() > keptCells)
         cached_.pop_back();
+    changed_.notify_all();
     return made;
 }
 

@@ -5,6 +5,7 @@
 #include "field/seeds/sow_unit.h"
 #include "field/seeds/sower.h"
 
+#include <array>
 #include <condition_variable>
 #include <cstddef>
 #include <cstdint>
@@ -14,6 +15,7 @@
 #include <memory>
 #include <mutex>
 #include <optional>
+#include <set>
 #include <span>
 #include <thread>
 #include <vector>
@@ -77,7 +79,8 @@ private:
     bool ends_ = false;
     std::vector<Result> results_;
     std::exception_ptr failure_;
-    std::list<Cached> cached_; ///< cells, the last used first
+    std::list<Cached> cached_;     ///< cells, the last used first
+    std::set<std::size_t> making_; ///< cells that are being unpacked
 
     std::vector<std::thread> threads_; ///< last: they use the others
 };

@@ -4,6 +4,8 @@
 #include "shaders/shared/pages.h"
 #include "shaders/shared/visibility.h"
 
+#include <glm/geometric.hpp>
+
 #include <algorithm>
 #include <limits>
 #include <utility>
@@ -21,6 +23,9 @@ constexpr float sowingThreshold = 0.3f;
 /// A unit replaces another one that is wanted less by this factor, so that a still eye changes
 /// nothing.
 constexpr float replacing = 1.19f;
+
+/// An eye that moves less wants the same [m]: a twentieth of the finest unit.
+constexpr float ignoredStep = 0.2f;
 
 /// Jobs that wait at once: enough for all threads until the next frame.
 constexpr std::size_t mostJobs = 256;
@@ -70,34 +75,25 @@ void Sowing::choose(std::span<shared::Eyepoint> seen)
     const float threshold = own > 0.0f ? own : sowingThreshold;
     const std::span<const shared::Eyepoint> ahead = motion_.ahead(seen);
 
+    const bool hasChanged = copied_ > 0;
     copied_ = 0;
-    isFull_ = false;
-    forgetBare();
     for (bool again = true; again;) {
-        takeResults();
-        choice_.find(seen, ahead, threshold, wanted_);
-        for (auto& [unit, present] : present_)
-            present.score = choice_.scoreOf(unit, seen, ahead, threshold);
-        Edit edit;
-        takeIn(edit, settings_.waits);
-        if (!edit.patches.empty()) {
-            edit.patches = united(std::move(edit.patches));
-            edit.entries = united(std::move(edit.entries));
-            edit.firstEntries = united(std::move(edit.firstEntries));
-            staged_.add(edit, tables_->tables());
-            std::erase_if(ready_, [&](const auto& one) { return present_.contains(one.first); });
-        }
-        ask();
-        again = settings_.waits && missing_ > 0 && !isFull_ && copied_ < settings_.frameBytes;
-        if (again)
+        again = false;
+        const bool isNews = takeResults();
+        if (!settings_.waits && !isNews && !hasChanged && !hasMoved(seen, ahead))
+            break;
+        bring(seen, ahead, threshold);
+        if (settings_.waits && missing_ > 0 && !isFull_ && copied_ < settings_.frameBytes) {
             workers_.finish();
+            again = true;
+        }
     }
     if (settings_.threads == 0 && !settings_.waits)
         for (std::uint32_t i = 0; i < unitsOfFrame && workers_.run(); ++i) {
         }
 
     // The views draw no more than what is there.
-    const float wanted = std::clamp(missingScore(seen, threshold), 1.0f, mostThinning);
+    const float wanted = std::clamp(missingScore_, 1.0f, mostThinning);
     if (thinning_ == 0.0f || settings_.waits)
         thinning_ = wanted;
     else
@@ -107,9 +103,51 @@ void Sowing::choose(std::span<shared::Eyepoint> seen)
     isSettled_ = copied_ == 0 && (missing_ == 0 || isFull_) && thinning_ == wanted;
 }
 
-void Sowing::takeResults()
+/// Chooses anew, and changes the tables.
+void Sowing::bring(std::span<const shared::Eyepoint> seen, std::span<const shared::Eyepoint> ahead,
+                   float threshold)
 {
-    for (SowWorkers::Result& result : workers_.take()) {
+    isFull_ = false;
+    forgetBare();
+    choice_.find(seen, ahead, threshold, wanted_);
+    for (auto& [unit, present] : present_)
+        present.score = choice_.scoreOf(unit, seen, ahead, threshold);
+    Edit edit;
+    takeIn(edit, settings_.waits);
+    if (!edit.patches.empty()) {
+        edit.patches = united(std::move(edit.patches));
+        edit.entries = united(std::move(edit.entries));
+        edit.firstEntries = united(std::move(edit.firstEntries));
+        staged_.add(edit, tables_->tables());
+        std::erase_if(ready_, [&](const auto& one) { return present_.contains(one.first); });
+    }
+    ask();
+    missingScore_ = missingScore(seen, threshold);
+}
+
+/// Whether an eye has moved far enough since it was last asked to want something else.
+bool Sowing::hasMoved(std::span<const shared::Eyepoint> seen,
+                      std::span<const shared::Eyepoint> ahead)
+{
+    std::vector<shared::Eyepoint> now(seen.begin(), seen.end());
+    now.insert(now.end(), ahead.begin(), ahead.end());
+    const auto isNear = [](const shared::Eyepoint& a, const shared::Eyepoint& b) {
+        return glm::distance(a.eye, b.eye) < ignoredStep && a.pixelsPerUnit == b.pixelsPerUnit &&
+               a.lodThreshold == b.lodThreshold && a.lodWidth == b.lodWidth &&
+               a.cullMask == b.cullMask && a.drawDistance == b.drawDistance &&
+               a.sparseFrom == b.sparseFrom;
+    };
+    if (std::ranges::equal(now, looked_, isNear))
+        return false;
+    looked_ = std::move(now);
+    return true;
+}
+
+/// Returns whether there were any.
+bool Sowing::takeResults()
+{
+    std::vector<SowWorkers::Result> results = workers_.take();
+    for (SowWorkers::Result& result : results) {
         choice_.know(result.cell, result.cubes);
         if (!result.unit)
             continue;
@@ -119,6 +157,7 @@ void Sowing::takeResults()
         else
             ready_[unit] = std::move(*result.unit);
     }
+    return !results.empty();
 }
 
 /// Brings wanted units, the most wanted first. What is wanted no longer is forgotten.

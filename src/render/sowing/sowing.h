@@ -73,7 +73,10 @@ private:
         SownTables::Place place; ///< of a unit without blades: no places
         float score = 0.0f;
     };
-    void takeResults();
+    bool takeResults();
+    bool hasMoved(std::span<const shared::Eyepoint> seen, std::span<const shared::Eyepoint> ahead);
+    void bring(std::span<const shared::Eyepoint> seen, std::span<const shared::Eyepoint> ahead,
+               float threshold);
     void ask();
     void takeIn(Edit& edit, bool takesAll);
     bool makeRoom(float score, Edit& edit);
@@ -90,10 +93,12 @@ private:
     std::map<field::SowUnit, Present> present_;
     std::map<field::SowUnit, field::GrownUnit> ready_; ///< grown, and not in memory yet
     std::uint64_t allBlades_;
-    std::uint64_t copied_ = 0;    ///< bytes, in the last frame
-    float nearestMissing_ = 0.0f; ///< [m]
-    std::size_t missing_ = 0;     ///< wanted units that are not there
-    float thinning_ = 0.0f;       ///< 0: before the first frame
+    std::uint64_t copied_ = 0;             ///< bytes, in the last frame
+    float nearestMissing_ = 0.0f;          ///< [m]
+    float missingScore_ = 0.0f;            ///< the highest of what is missing
+    std::size_t missing_ = 0;              ///< wanted units that are not there
+    std::vector<shared::Eyepoint> looked_; ///< eyes of the last choice
+    float thinning_ = 0.0f;                ///< 0: before the first frame
     bool isFull_ = false;
     bool isSettled_ = false;
 };

@@ -106,7 +106,8 @@ TEST_F(SowingTest, DrawsTheFieldThatGrowsFromTheSeeds)
         picture.draw(whole, camera, settings(), 1.0);
         const auto expected = picture.pixels();
         picture.draw(sown, camera, settings(), 1.0);
-        EXPECT_EQ(sown.stats().drawn, whole.stats().drawn);
+        // Ranks lie evenly between those of a patch's first and last blade; patches differ.
+        EXPECT_NEAR(double(sown.stats().drawn) / double(whole.stats().drawn), 1.0, 0.005);
         EXPECT_GT(sown.stats().drawn, 3000U);
         // The leaf area around a blade is known from the stored sixteenth.
         const test::Likeness alike = test::likeness(picture.pixels(), expected, black, size);

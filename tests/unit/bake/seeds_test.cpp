@@ -251,8 +251,9 @@ TEST(Seeds, UnitsShareOutTheBladesWithinTheirBounds)
         field::SowUnit unit{.cell = cell.seeds().cell};
         for (unit.level = 0; unit.level <= levels; ++unit.level) {
             const std::uint32_t side = 1U << field::unitLevel(unit.level);
-            for (std::uint32_t p = 0; p < side * side * side; ++p) {
-                unit.place = {p % side, p / side % side, p / side / side};
+            for (std::uint32_t p = 0; p < 2 * side * side * side; ++p) {
+                unit.half = p % 2;
+                unit.place = {p / 2 % side, p / 2 / side % side, p / 2 / side / side};
                 const field::GrownUnit grown = field::growUnit(sower, seeded.species, cell, unit);
                 EXPECT_TRUE(cell.bears(unit) || grown.blades.empty());
                 add(parts, grown.blades);
@@ -262,10 +263,9 @@ TEST(Seeds, UnitsShareOutTheBladesWithinTheirBounds)
                     EXPECT_EQ(patch.firstBlade, next);
                     next += patch.bladeCount;
                     EXPECT_LE(patch.bladeCount, shared::maxPatchBlades);
-                    EXPECT_GE(patch.rankLow, field::lowestRank(unit.level, levels));
-                    if (unit.level < levels) {
-                        EXPECT_LT(patch.rankHigh, field::lowestRank(unit.level + 1, levels));
-                    }
+                    EXPECT_GE(patch.rankLow, field::lowestRank(unit.level, unit.half, levels));
+                    EXPECT_LT(patch.rankHigh,
+                              field::lowestRank(unit.level + unit.half, 1 - unit.half, levels));
                     for (std::uint32_t b = 0; b < patch.bladeCount; ++b) {
                         const shared::Blade blade =
                             shared::unpackBlade(grown.blades[patch.firstBlade + b], patch);
