@@ -236,14 +236,9 @@ field::Seeds makeSeeds(const GroundView& part, const BakeSettings& settings, con
     const RootFilter filter(ground, settings, part.rays, &part.features, plan.plan.scale);
     const SeedSites sites(ground, settings, plan.plan.scale, seeds.meadow, filter, part.rays,
                           part.features);
-    progress.begin("clumps", 1);
-    const SeedPlaces places =
-        seedPlaces(ground, settings, units, seeds.meadow.clumpSpacing, clumpReach(seeds.meadow),
-                   tile, [&](std::uint32_t triangle, glm::dvec3 place) {
-                       progress.throwIfCancelled();
-                       return sites.moistureOf(triangle, place);
-                   });
-    const SeedCells maker(ground, settings, seeds.meadow, units, sites);
+    const SeedPlaces places = seedPlaces(ground, settings, units, seeds.meadow.clumpSpacing,
+                                         clumpReach(seeds.meadow), tile);
+    const SeedCells maker(ground, settings, seeds.meadow, units, sites, places.centreCount);
 
     // The ranges of all cells that triangles touch, then batches of them: cells are made by several
     // threads and appended in order.
@@ -262,26 +257,26 @@ field::Seeds makeSeeds(const GroundView& part, const BakeSettings& settings, con
     progress.begin("seeds", ranges.size());
     constexpr std::size_t batch = 256;
     struct Made {
-        field::SeedCell cell;
+        field::SeedEntry entry;
         UninitializedVector<std::byte> packed;
     };
     for (std::size_t first = 0; first < ranges.size(); first += batch) {
         std::vector<Made> made(std::min(batch, ranges.size() - first));
         tbb::parallel_for(std::size_t(0), made.size(), [&](std::size_t i) {
             const auto& [parts, centres] = ranges[first + i];
-            made[i].cell = maker.make(
+            const field::SeedCell cell = maker.make(
                 std::span(places.parts).subspan(parts.first, parts.second - parts.first),
                 std::span(places.centres).subspan(centres.first, centres.second - centres.first));
-            if (!made[i].cell.pieces.empty()) {
-                take(made[i].cell);
-                made[i].packed = field::packSeedCell(made[i].cell, seeds.meadow.isMixed);
+            if (!cell.pieces.empty()) {
+                take(cell);
+                made[i] = {field::entryOf(cell), field::packSeedCell(cell, seeds.meadow.isMixed)};
             }
             progress.advance(1);
         });
         progress.throwIfCancelled();
         for (const Made& one : made)
-            if (!one.cell.pieces.empty())
-                field::addSeedCell(seeds, one.cell, one.packed);
+            if (!one.packed.empty())
+                field::addSeedCell(seeds, one.entry, one.packed);
     }
     return seeds;
 }

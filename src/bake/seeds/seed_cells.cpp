@@ -38,6 +38,7 @@ float evenExposure(const BakeSettings& settings)
 // Of a vertex that rays have not left yet, and of one that something is above or beside.
 constexpr float unknownExposure = -2.0f;
 constexpr float narrowPlace = -1.0f;
+constexpr std::int32_t unknownMoisture = std::numeric_limits<std::int32_t>::min();
 
 // Where their densities differ by less, in 65535ths, it does so, too.
 constexpr std::uint32_t evenDensity = 1000;
@@ -134,6 +135,7 @@ class SeedCells::Builder {
 public:
     Builder(const SeedCells& of, const SeedCellNumber& cell)
         : of_(of)
+        , clumpKey_(clumpKeyOf(of.settings_.seed))
     {
         result_.cell = cell;
     }
@@ -168,7 +170,13 @@ public:
                     .first;
             result_.pieces.push_back(piece);
         }
-        result_.clumps.push_back({found->second, centre.number, centre.moisture});
+        const shared::SeedPiece& piece = result_.pieces[found->second];
+        const glm::ivec3 place = shared::sowClumpPlace(
+            result_.vertices[piece.corners[0]], result_.vertices[piece.corners[1]],
+            result_.vertices[piece.corners[2]],
+            shared::sowClumpKey(clumpKey_, piece.source, centre.number));
+        result_.clumps.push_back(
+            {found->second, centre.number, of_.moistureOf(centre, positionOf(place))});
     }
 
     bool growsAnything() const
@@ -482,11 +490,12 @@ private:
     std::unordered_map<std::uint32_t, std::uint32_t> pieceOf_;  ///< first one, by triangle
     std::unordered_map<std::string, std::uint32_t> conditionsOf_;
     std::map<std::array<std::uint32_t, shared::seedCreaseWords>, std::uint32_t> creaseOf_;
+    std::uint64_t clumpKey_;
 };
 
 SeedCells::SeedCells(const terrain::GroundMesh& ground, const BakeSettings& settings,
                      const field::SeedMeadow& meadow, const SeedUnits& units,
-                     const SeedSites& sites)
+                     const SeedSites& sites, std::size_t centreCount)
     : ground_(ground)
     , settings_(settings)
     , meadow_(meadow)
@@ -494,12 +503,26 @@ SeedCells::SeedCells(const terrain::GroundMesh& ground, const BakeSettings& sett
     , sites_(sites)
     , triangleOf_(ground.positions.size(), terrain::SurfaceQuery::none)
     , exposures_(2 * ground.positions.size())
+    , moistures_(centreCount)
 {
     for (std::size_t t = ground.triangles.size(); t-- > 0;)
         for (glm::length_t k = 0; ground.bears[t] != 0 && k < 3; ++k)
             triangleOf_[ground.triangles[t][k]] = static_cast<std::uint32_t>(t);
     for (std::atomic<float>& exposure : exposures_)
         exposure.store(unknownExposure, std::memory_order_relaxed);
+    for (std::atomic<std::int32_t>& moisture : moistures_)
+        moisture.store(unknownMoisture, std::memory_order_relaxed);
+}
+
+std::int32_t SeedCells::moistureOf(const SeedCentre& centre, glm::dvec3 place) const
+{
+    std::atomic<std::int32_t>& known = moistures_[centre.id];
+    std::int32_t moisture = known.load(std::memory_order_relaxed);
+    if (moisture == unknownMoisture) {
+        moisture = sites_.moistureOf(centre.triangle, place);
+        known.store(moisture, std::memory_order_relaxed);
+    }
+    return moisture;
 }
 
 // Threads that ask at the same time find the same.

@@ -7,6 +7,7 @@
 #include "terrain/ground_mesh.h"
 
 #include <atomic>
+#include <cstddef>
 #include <cstdint>
 #include <span>
 #include <vector>
@@ -16,9 +17,10 @@ namespace sward::bake {
 /// Makes the seeds of 32 m cells. Thread-safe; a cell depends on what is listed for it alone.
 class SeedCells {
 public:
-    /// All arguments must outlive it.
+    /// All arguments must outlive it. `centreCount`: as of SeedPlaces.
     SeedCells(const terrain::GroundMesh& ground, const BakeSettings& settings,
-              const field::SeedMeadow& meadow, const SeedUnits& units, const SeedSites& sites);
+              const field::SeedMeadow& meadow, const SeedUnits& units, const SeedSites& sites,
+              std::size_t centreCount);
 
     /// The seeds of a cell, from all parts and centres that SeedPlaces lists for it. Has no pieces
     /// if nothing grows there.
@@ -32,6 +34,9 @@ private:
     // an obstacle or a foot there. Rays leave once.
     float exposureAtVertex(std::uint32_t vertex, bool isBack) const;
 
+    // Moisture of a clump's centre at a place relative to the ground's origin [m]. Rays leave once.
+    std::int32_t moistureOf(const SeedCentre& centre, glm::dvec3 place) const;
+
     const terrain::GroundMesh& ground_;
     const BakeSettings& settings_;
     const field::SeedMeadow& meadow_;
@@ -39,6 +44,7 @@ private:
     const SeedSites& sites_;
     std::vector<std::uint32_t> triangleOf_;             ///< the first that bears, of each vertex
     mutable std::vector<std::atomic<float>> exposures_; ///< of both sides of each vertex
+    mutable std::vector<std::atomic<std::int32_t>> moistures_; ///< of each centre
 };
 
 } // namespace sward::bake

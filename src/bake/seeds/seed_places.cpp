@@ -12,7 +12,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <optional>
 #include <tuple>
 
 namespace sward::bake {
@@ -226,7 +225,7 @@ PartBox boxOfUnits(const terrain::GroundMesh& ground, const SeedUnits& units, st
 
 SeedPlaces seedPlaces(const terrain::GroundMesh& ground, const BakeSettings& settings,
                       const SeedUnits& units, double clumpSpacing, double reach,
-                      const TileRegion* tile, const MoistureAt& moistureOf)
+                      const TileRegion* tile)
 {
     const auto holds = [&](const SeedCellNumber& cell) {
         return tile == nullptr || tile->holds(worldCell(ground.origin, cell));
@@ -235,6 +234,7 @@ SeedPlaces seedPlaces(const terrain::GroundMesh& ground, const BakeSettings& set
     const std::size_t blockCount = (triangles + trianglesPerSeedBlock - 1) / trianglesPerSeedBlock;
     std::vector<std::vector<SeedPlaces::Part>> parts(blockCount);
     std::vector<std::vector<SeedPlaces::Centre>> centres(blockCount);
+    std::vector<std::uint32_t> counts(blockCount, 0);
     // Rounding to units may move a place by half of one, and sowing rounds down.
     const double margin = std::ldexp(2.0, -int(units.bits()));
     const std::uint64_t clumpKey = clumpKeyOf(settings.seed);
@@ -285,18 +285,25 @@ SeedPlaces seedPlaces(const terrain::GroundMesh& ground, const BakeSettings& set
                     a, b, c, shared::sowClumpKey(clumpKey, static_cast<std::uint32_t>(source), i));
                 const glm::dvec3 centre = seedCellSide * glm::dvec3(cell[0], cell[1], cell[2]) +
                                           std::ldexp(1.0, -int(units.bits())) * glm::dvec3(place);
-                std::optional<std::int32_t> moisture;
+                bool isListed = false;
                 eachCell(centre - reach, centre + reach, [&](const SeedCellNumber& near) {
                     if (!holds(near))
                         return;
-                    if (!moisture)
-                        moisture = moistureOf(static_cast<std::uint32_t>(t), centre);
-                    centres[block].push_back({near, {static_cast<std::uint32_t>(t), i, *moisture}});
+                    centres[block].push_back(
+                        {near, {static_cast<std::uint32_t>(t), i, counts[block]}});
+                    isListed = true;
                 });
+                counts[block] += isListed ? 1 : 0;
             }
         }
     });
-    SeedPlaces places{joined(parts), joined(centres)};
+    std::uint32_t before = 0;
+    for (std::size_t block = 0; block < blockCount; ++block) {
+        for (SeedPlaces::Centre& one : centres[block])
+            one.centre.id += before;
+        before += counts[block];
+    }
+    SeedPlaces places{joined(parts), joined(centres), before};
     tbb::parallel_sort(places.parts.begin(), places.parts.end(),
                        [](const SeedPlaces::Part& a, const SeedPlaces::Part& b) {
                            return std::tie(a.cell, a.part.triangle, a.part.back, a.part.p, a.part.q,

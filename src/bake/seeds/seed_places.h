@@ -8,8 +8,8 @@
 #include <glm/vec3.hpp>
 
 #include <array>
+#include <cstddef>
 #include <cstdint>
-#include <functional>
 #include <vector>
 
 namespace sward::bake {
@@ -64,11 +64,8 @@ struct SeedPart {
 struct SeedCentre {
     std::uint32_t triangle; ///< index in the ground
     std::uint32_t number;   ///< on that triangle
-    std::int32_t moisture;  ///< of the ground there, as shared::SeedClump
+    std::uint32_t id;       ///< the same for all cells that it reaches
 };
-
-/// Moisture of the ground at a place of a triangle, relative to the ground's origin [m].
-using MoistureAt = std::function<std::int32_t(std::uint32_t triangle, glm::dvec3 place)>;
 
 /// What touches each cell.
 struct SeedPlaces {
@@ -84,6 +81,7 @@ struct SeedPlaces {
     };
     std::vector<Part> parts;     ///< by cell, triangle, side and place on it
     std::vector<Centre> centres; ///< by cell, triangle and number
+    std::size_t centreCount = 0; ///< of ids
 };
 
 /// Largest extent of such a part along an axis [m], but for parts of triangles of hundreds of
@@ -92,11 +90,10 @@ inline constexpr double widestPart = 8.0;
 
 /// Cuts large triangles into parts, lists the cells that the box of each part touches, and the
 /// cells within `reach` [m] of each centre of clumps `clumpSpacing` [m] apart. Cells outside of
-/// `tile` are left out; null: none are. `moistureOf` is asked once for each centre that is listed,
-/// by several threads.
+/// `tile` are left out; null: none are.
 SeedPlaces seedPlaces(const terrain::GroundMesh& ground, const BakeSettings& settings,
                       const SeedUnits& units, double clumpSpacing, double reach,
-                      const TileRegion* tile, const MoistureAt& moistureOf);
+                      const TileRegion* tile);
 
 /// The same cell, counted from the origin of the world.
 CellNumber worldCell(const glm::dvec3& origin, const SeedCellNumber& cell);

@@ -129,15 +129,21 @@ SeedsView viewOf(const Seeds& seeds)
     return {&seeds.meadow, seeds.cells, seeds.data};
 }
 
+SeedEntry entryOf(const SeedCell& cell)
+{
+    SeedEntry entry{};
+    entry.cell = cell.cell;
+    entry.vertices = static_cast<std::uint32_t>(cell.vertices.size());
+    entry.pieces = static_cast<std::uint32_t>(cell.pieces.size());
+    entry.clumps = static_cast<std::uint32_t>(cell.clumps.size());
+    entry.conditions = static_cast<std::uint32_t>(cell.conditions.size());
+    entry.words = static_cast<std::uint32_t>(cell.words.size());
+    return entry;
+}
+
 UninitializedVector<std::byte> packSeedCell(const SeedCell& cell, bool isMixed)
 {
-    SeedEntry counts{};
-    counts.vertices = static_cast<std::uint32_t>(cell.vertices.size());
-    counts.pieces = static_cast<std::uint32_t>(cell.pieces.size());
-    counts.clumps = static_cast<std::uint32_t>(cell.clumps.size());
-    counts.conditions = static_cast<std::uint32_t>(cell.conditions.size());
-    counts.words = static_cast<std::uint32_t>(cell.words.size());
-    std::vector<std::uint32_t> words(wordsOf(counts, isMixed));
+    std::vector<std::uint32_t> words(wordsOf(entryOf(cell), isMixed));
     std::uint32_t* to = words.data();
     to = putWords(cell.vertices, vertexWords, to);
     to = putWords(cell.pieces, pieceWords, to);
@@ -147,16 +153,9 @@ UninitializedVector<std::byte> packSeedCell(const SeedCell& cell, bool isMixed)
     return compress(std::as_bytes(std::span(words)), sizeof(std::uint32_t));
 }
 
-void addSeedCell(Seeds& seeds, const SeedCell& counts, std::span<const std::byte> packed)
+void addSeedCell(Seeds& seeds, SeedEntry entry, std::span<const std::byte> packed)
 {
-    expect(seeds.cells.empty() || seeds.cells.back().cell < counts.cell, "cells in rising order");
-    SeedEntry entry{};
-    entry.cell = counts.cell;
-    entry.vertices = static_cast<std::uint32_t>(counts.vertices.size());
-    entry.pieces = static_cast<std::uint32_t>(counts.pieces.size());
-    entry.clumps = static_cast<std::uint32_t>(counts.clumps.size());
-    entry.conditions = static_cast<std::uint32_t>(counts.conditions.size());
-    entry.words = static_cast<std::uint32_t>(counts.words.size());
+    expect(seeds.cells.empty() || seeds.cells.back().cell < entry.cell, "cells in rising order");
     entry.offset = seeds.data.size();
     entry.bytes = packed.size();
     seeds.cells.push_back(entry);
@@ -165,7 +164,7 @@ void addSeedCell(Seeds& seeds, const SeedCell& counts, std::span<const std::byte
 
 void addSeedCell(Seeds& seeds, const SeedCell& cell)
 {
-    addSeedCell(seeds, cell, packSeedCell(cell, seeds.meadow.isMixed));
+    addSeedCell(seeds, entryOf(cell), packSeedCell(cell, seeds.meadow.isMixed));
 }
 
 SeedCell readSeedCell(const SeedsView& seeds, std::size_t index, const std::string& place)

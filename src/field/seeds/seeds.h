@@ -97,9 +97,11 @@ struct SeedCell {
 /// Appends a cell; cells come in rising order. Its bytes depend on the cell alone.
 void addSeedCell(Seeds& seeds, const SeedCell& cell);
 
-/// The same in two steps, of which the first may run in several threads.
+/// The same in steps, of which the first two may run in several threads. An entry has the number
+/// and the counts of a cell; its offset and bytes are filled in.
+SeedEntry entryOf(const SeedCell& cell);
 UninitializedVector<std::byte> packSeedCell(const SeedCell& cell, bool isMixed);
-void addSeedCell(Seeds& seeds, const SeedCell& counts, std::span<const std::byte> packed);
+void addSeedCell(Seeds& seeds, SeedEntry entry, std::span<const std::byte> packed);
 
 /// Reads the cell `index` and verifies every number. Throws Error{input} naming `place`.
 SeedCell readSeedCell(const SeedsView& seeds, std::size_t index, const std::string& place);
