@@ -93,7 +93,7 @@ BakeResult bakeField(const terrain::GroundMesh& ground, const BakeSettings& sett
                      Diagnostics& diagnostics, Progress& progress)
 {
     if (writesSeeds(ground, settings))
-        return bakeSeededField(ground, settings, threads, diagnostics, progress);
+        return bakeSeededField(ground, settings, threads, {}, diagnostics, progress);
     BakeResult result;
     std::vector<CellTree> cells;
     CellTakers takers;

@@ -87,7 +87,8 @@ Report bakeInto(const terrain::GroundMesh& ground, terrain::GroundMesh* consumed
                 const TileLimits& limits)
 {
     if (writesSeeds(ground, settings)) {
-        BakeResult result = bakeSeededField(ground, settings, threads, diagnostics, progress);
+        BakeResult result =
+            bakeSeededField(ground, settings, threads, limits, diagnostics, progress);
         writeInto(result.field, result.report, path, overwrite, progress);
         return std::move(result.report);
     }

@@ -13,6 +13,7 @@
 #include <tbb/parallel_invoke.h>
 
 #include <algorithm>
+#include <iterator>
 #include <memory>
 #include <mutex>
 #include <optional>
@@ -76,6 +77,62 @@ TileResult bakeSeededTile(const GroundView& part, const BakeSettings& settings,
     return result;
 }
 
+namespace {
+
+// The seeds of tiles, cell by cell in rising order.
+field::Seeds joinTiles(const std::vector<field::Seeds>& tiles, const field::SeedMeadow& meadow)
+{
+    struct Source {
+        field::SeedEntry entry;
+        std::size_t tile;
+    };
+    std::vector<Source> order;
+    for (std::size_t t = 0; t < tiles.size(); ++t)
+        for (const field::SeedEntry& entry : tiles[t].cells)
+            order.push_back({entry, t});
+    std::sort(order.begin(), order.end(),
+              [](const Source& a, const Source& b) { return a.entry.cell < b.entry.cell; });
+    field::Seeds joined;
+    joined.meadow = meadow;
+    for (const Source& one : order)
+        field::addSeedCell(joined, one.entry,
+                           std::span<const std::byte>(tiles[one.tile].data)
+                               .subspan(one.entry.offset, one.entry.bytes));
+    return joined;
+}
+
+// All tiles of a ground, as one.
+TileResult bakeInTiles(const GroundView& whole, const BakeSettings& settings, const BakePlan& plan,
+                       const TileLimits& limits, Progress& progress)
+{
+    const terrain::GroundMesh& ground = whole.ground;
+    const double margin = seedMargin(ground, settings, plan);
+    const std::vector<std::vector<CellNumber>> tiles =
+        dealTiles(ground, ground.triangles.size() / limits.trianglesInTile + 1);
+    std::vector<std::vector<std::uint32_t>> near = trianglesNear(ground, tiles, margin);
+    TileResult all;
+    std::vector<field::Seeds> seeds;
+    Totals totals;
+    for (std::size_t i = 0; i < tiles.size(); ++i) {
+        if (tiles[i].empty())
+            continue;
+        const terrain::GroundMesh part = partOf(ground, near[i]);
+        const terrain::SurfaceFeatures features = partOf(ground, whole.features, near[i], margin);
+        std::vector<std::uint32_t>().swap(near[i]);
+        const TileRegion region(ground.origin, tiles[i]);
+        TileResult tile = bakeSeededTile({part, features}, settings, plan, &region, progress);
+        totals.add(tile);
+        std::move(tile.cells.begin(), tile.cells.end(), std::back_inserter(all.cells));
+        seeds.push_back(std::move(tile.seeds));
+    }
+    all.counts = totals.counts;
+    all.timing = totals.timing;
+    all.seeds = joinTiles(seeds, *plan.seeds);
+    return all;
+}
+
+} // namespace
+
 Report::Seeds seedsReport(const field::Seeds& seeds, std::size_t storedBlades)
 {
     const double share = seeds.meadow.stored;
@@ -84,7 +141,8 @@ Report::Seeds seedsReport(const field::Seeds& seeds, std::size_t storedBlades)
 }
 
 BakeResult bakeSeededField(const terrain::GroundMesh& ground, const BakeSettings& settings,
-                           int threads, Diagnostics& diagnostics, Progress& progress)
+                           int threads, const TileLimits& limits, Diagnostics& diagnostics,
+                           Progress& progress)
 {
     validate(settings);
     BakeResult result;
@@ -102,14 +160,17 @@ BakeResult bakeSeededField(const terrain::GroundMesh& ground, const BakeSettings
             },
             [&] {
                 Stopwatch own;
-                if (needsRays(ground, settings))
+                // Each tile has its own.
+                if (needsRays(ground, settings) && !hasManyTriangles(ground, settings, limits))
                     rays.emplace(ground);
                 report.timing.rays = own.lap();
             });
         const GroundView whole{ground, features, rays ? &*rays : nullptr};
         BakePlan plan = planWhole(whole, fullSettings(settings), diagnostics, progress);
         planSeeds(ground, settings, plan);
-        TileResult tile = bakeSeededTile(whole, settings, plan, nullptr, progress);
+        TileResult tile = hasManyTriangles(ground, settings, limits)
+                              ? bakeInTiles(whole, settings, plan, limits, progress)
+                              : bakeSeededTile(whole, settings, plan, nullptr, progress);
         Totals totals;
         totals.add(tile);
         result.field = fieldWithoutBlades(ground, settings, plan, report);

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "bake/bake.h"
+#include "bake/whole/all_cells.h"
 
 namespace sward::bake {
 
@@ -14,8 +15,10 @@ TileResult bakeSeededTile(const GroundView& part, const BakeSettings& settings,
 Report::Seeds seedsReport(const field::Seeds& seeds, std::size_t storedBlades);
 
 /// bakeField() of settings for which writesSeeds() holds: a field with seeds, and with the blades
-/// of the lowest ranks. Throws as bakeField() and makeSeeds() do.
+/// of the lowest ranks. Ground with more triangles than `limits` say is baked tile by tile; the
+/// field is the same. Throws as bakeField() and makeSeeds() do.
 BakeResult bakeSeededField(const terrain::GroundMesh& ground, const BakeSettings& settings,
-                           int threads, Diagnostics& diagnostics, Progress& progress);
+                           int threads, const TileLimits& limits, Diagnostics& diagnostics,
+                           Progress& progress);
 
 } // namespace sward::bake

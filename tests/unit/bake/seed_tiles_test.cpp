@@ -131,6 +131,27 @@ TEST(SeedTiles, AreThatOnWideTrianglesAndOverEdges)
     expectTilesOfOneBake(meshes::moved(meshes::sphere(24, 40.0), {1e5, -3e4, 7e4}), settings, 8);
 }
 
+TEST(SeedTiles, AreThatOfGroundTooLargeForOneRayTree)
+{
+    const terrain::GroundMesh ground = meshes::hills(120.0, 50);
+    const BakeSettings settings = sownSettings(20.0);
+    Diagnostics diagnostics;
+    Progress progress;
+    const auto baked = [&](const TileLimits& limits) {
+        return bakeSeededField(ground, settings, 2, limits, diagnostics, progress).field;
+    };
+    TileLimits narrow;
+    narrow.trianglesInOne = 1000;
+    narrow.trianglesInTile = 1500;
+    const field::Field one = baked({});
+    const field::Field many = baked(narrow);
+    EXPECT_TRUE(haveEqualBytes(many.seeds->seeds.cells, one.seeds->seeds.cells));
+    EXPECT_TRUE(haveEqualBytes(many.seeds->seeds.data, one.seeds->seeds.data));
+    EXPECT_TRUE(haveEqualBytes(many.blades, one.blades));
+    EXPECT_TRUE(haveEqualBytes(many.keys, one.keys));
+    EXPECT_TRUE(haveEqualBytes(many.patches, one.patches));
+}
+
 // What a bake with seeds and the growth of all of them give is valid, or refused as input.
 void expectValid(const terrain::GroundMesh& ground, BakeSettings settings)
 {
