@@ -173,13 +173,14 @@ BakeResult bakeSeededField(const terrain::GroundMesh& ground, const BakeSettings
                               : bakeSeededTile(whole, settings, plan, nullptr, progress);
         Totals totals;
         totals.add(tile);
+        // The provenance holds the blade scale of the report.
+        finishReport(report, totals, settings, plan, diagnostics);
         result.field = fieldWithoutBlades(ground, settings, plan, report);
         watch.lap();
         joinCells(std::move(tile.cells), result.field);
         report.timing.patches = watch.lap();
         report.seeds = seedsReport(tile.seeds, result.field.blades.size());
         result.field.seeds = std::make_shared<const field::SharedSeeds>(std::move(tile.seeds));
-        finishReport(report, totals, settings, plan, diagnostics);
     });
     report.output.patches = result.field.patches.size();
     report.warnings = diagnostics.warnings();

@@ -116,6 +116,14 @@ class Tiles(ClusterTest):
                 told = [self.read_json(name)["seeds"] for name in ("whole.json", "merged.json")]
                 self.assertEqual(*told)
                 (self.folder / "merged.json").unlink()
+        # The field says the scale of its blades.
+        small = ("--density", "500", "--blade-scale", "0.5", "--ground-up", "radial", "--budget", "3000", "--seeds", "always")
+        whole = self.bake("sphere", *small, to="sphere.sward")
+        self.assertEqual(self.info(whole)["provenance"]["blade_scale"], 0.5)
+        self.sward("plan", "sphere", *small, "--tiles", 3, "-o", "sphere.json", "-q")
+        for index in range(3):
+            self.tile(index, plan="sphere.json", to="sphere-tiles")
+        self.assertEqual(digest(self.merge("sphere.json", "sphere-tiles", "sphere-merged.sward")), digest(whole))
         # A plan with seeds is another plan than one without; what cannot be sown is refused.
         self.plan(*options, to="plain.json")
         self.refused("tile", "plain.json", "--index", "0", "-o", "always-tiles", code=INPUT, names=["belongs to plan"])
