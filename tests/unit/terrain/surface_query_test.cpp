@@ -107,6 +107,28 @@ TEST(SurfaceQuery, AgreesWithEveryTriangleTriedInTurn)
     EXPECT_GT(hits, 300);
 }
 
+TEST(SurfaceQuery, FindsTheSameByOneTraversal)
+{
+    // Two sheets, of which rays meet several triangles; also along edges and through corners.
+    GroundMesh mesh = makeHills({.grid = {glm::dvec2(20.0), glm::uvec2(24U)}});
+    append(mesh, meshes::grid(24, 20.0));
+    const SurfaceQuery query(mesh);
+    int hits = 0;
+    const auto compare = [&](const glm::dvec3& from, const glm::dvec3& to, double skin) {
+        const SurfaceQuery::Hit meant = query.cast(from, to, 9.0, skin);
+        const SurfaceQuery::Hit found = query.castThrough(from, to, 9.0, skin);
+        EXPECT_EQ(found.triangle, meant.triangle);
+        EXPECT_EQ(found.distance, meant.distance);
+        hits += found.isHit() ? 1 : 0;
+    };
+    for (std::uint64_t i = 0; i < 3000; ++i)
+        compare(randomPoint(i, 11.0), glm::normalize(randomPoint(i + 100'000, 1.0)),
+                i % 3 == 0 ? 1.0 : 0.0);
+    for (const glm::vec3& position : mesh.positions)
+        compare(glm::dvec3(position) + glm::dvec3(0, 4, 0), {0, -1, 0}, 0.0);
+    EXPECT_GT(hits, 1500);
+}
+
 TEST(SurfaceQuery, LetsNoRayThroughTheEdgesBetweenTriangles)
 {
     const GroundMesh mesh = meshes::sphere(48, 3.0);
