@@ -181,10 +181,10 @@ void expectValid(const terrain::GroundMesh& ground, BakeSettings settings)
         }
 }
 
-TEST(SeedTiles, TrianglesOfAMillimetreAndOfTenKilometresGrowFiniteBlades)
+TEST(SeedTiles, TrianglesOfAMillimetreAndOfAKilometreGrowFiniteBlades)
 {
     expectValid(meshes::grid(40, 0.04), sownSettings(3e5));
-    // Of a strip of 10 km, every tenth triangle of which bears.
+    // One of 1 km by 10 cm in a strip of 10 km, the rest of which is bare.
     terrain::GroundMesh strip = meshes::grid(10, 1e4);
     for (glm::vec3& position : strip.positions)
         position.z *= 1e-4f;
