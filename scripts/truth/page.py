@@ -9,13 +9,16 @@ import light_pictures  # noqa: E402
 HEAD = """# Real time beside truth
 
 `scripts/judge --page` has made this page. [How it judges](algorithms/truth.md), and why it differs. Each picture: `sward-view render`, the same blades
-traced by Cycles, and four times their difference. {how}.
+traced by Cycles, and four times their difference.
+{how}.
 """
 TABLE = """
 ## All pictures
 
-By scene, distance [m] and sun, relative to the truth; *sun* and *sky* are mean luminance by each light alone. {how}. *Noise* is the FLIP between two
-halves of the truth's samples: that much no picture can be expected to be nearer.
+By scene, distance [m] and sun, relative to the truth; *sun* and *sky* are mean luminance by each light alone. *Noise* is the FLIP between two halves
+of the truth's samples: most of it adds to the FLIP of ours. What *before* is: [truth](algorithms/truth.md#against-cycles).
+
+{how}.
 
 {met}
 
@@ -73,9 +76,17 @@ def write_jpeg(path, png):
     Image.fromarray(light_pictures.codes(png)).save(path, quality=QUALITY)
 
 
-def write(page, folder, report, table, before, shown=6):
+def described_by_distance(reports):
+    """The same of several reports."""
+    if len(reports) == 1:
+        return described(reports[0])
+    distances = [sorted({int(name.split(".")[1]) for name in report["pictures"]}) for report in reports]
+    return ";\n".join(f"{', '.join(map(str, some))} m: {described(report)}" for some, report in zip(distances, reports))
+
+
+def write(page, folder, report, tables, before, shown=6):
     """Writes `page` and, beside it in truth/, a JPEG for one picture of each of the first `shown` scenes of `report`. The figures
-    below the pictures are those of the report `table`, and of the pictures `before`."""
+    below the pictures are those of the reports `tables`, and of the pictures `before`."""
     pictures = page.parent / "truth"
     pictures.mkdir(parents=True, exist_ok=True)
     text, scenes, results = HEAD.format(how=described(report)), [], report["pictures"]
@@ -91,5 +102,6 @@ def write(page, folder, report, table, before, shown=6):
             text += (f"\n![{chosen}: ours, the truth, four times the difference](truth/{scene}.jpg)\n\n"
                      f"*{chosen}*: {mean} of the true luminance, {contrast} of the true contrast, FLIP {flip}, of which the truth's noise "
                      f"is up to {results[chosen]['all']['all']['noise']:.2f}.\n")
-    text += TABLE.format(how=described(table), met=met(table["pictures"])) + comparison(table["pictures"], before)
+    results = {name: result for table in tables for name, result in table["pictures"].items()}
+    text += TABLE.format(how=described_by_distance(tables), met=met(results)) + comparison(results, before)
     page.write_text(text, encoding="utf-8")

@@ -209,13 +209,17 @@ class Command(JudgeTest):
 
         # A page of it, with the figures before.
         needs("pillow")
-        page.write(self.folder / "page.md", self.folder / "out", report, report, {"small.0.0": found})
+        page.write(self.folder / "page.md", self.folder / "out", report, [report], {"small.0.0": found})
         text = (self.folder / "page.md").read_text(encoding="utf-8")
         self.assertIn("![small.0.0: ours, the truth, four times the difference](truth/small.jpg)", text)
         self.assertRegex(text, r"\| small\.0\.0 \| (\d\.\d\d) → \1 \|")
         self.assertGreater((self.folder / "truth/small.jpg").stat().st_size, 500)
         self.assertRegex(text, r"64×36 pixels, 64 samples of a pixel by Cycles and 4 of ours, drawn on \w+")
         self.assertIn("Aims and how many of the 1 pictures meet them: luminance within 0.05 in ", text)
+        nearer, farther = ({"size": None, "samples": samples, "supersample": 2, "fields": {}, "pictures": {f"lawn.{samples}.high": found}}
+                           for samples in (2, 20))
+        self.assertEqual(page.described_by_distance([nearer, farther]),
+                         "2 m: 2 samples of a pixel by Cycles and 4 of ours;\n20 m: 20 samples of a pixel by Cycles and 4 of ours")
 
     def test_a_picture_of_others_is_compared(self):
         picture = self.folder / "picture.exr"
