@@ -41,10 +41,10 @@ STAND_IN = """
     """
 
 
-def the_script():
-    """scripts/judge as a module."""
-    loader = importlib.machinery.SourceFileLoader("judge", str(ROOT / "scripts/judge"))
-    module = importlib.util.module_from_spec(importlib.util.spec_from_loader("judge", loader))
+def the_script(name="judge"):
+    """scripts/judge, or another, as a module."""
+    loader = importlib.machinery.SourceFileLoader(name, str(ROOT / "scripts" / name))
+    module = importlib.util.module_from_spec(importlib.util.spec_from_loader(name, loader))
     loader.exec_module(module)
     return module
 
@@ -181,6 +181,33 @@ class Figures(unittest.TestCase):
                 ray = np.subtract(camera["target"], camera["eye"])
                 self.assertAlmostEqual(float(np.linalg.norm(ray)), distance)
                 self.assertLess(ray[2], 0.0)
+
+
+class Shimmer(unittest.TestCase):
+    """scripts/shimmer: second differences along the motion."""
+
+    def setUp(self):
+        self.script = the_script("shimmer")
+        self.depths = np.linspace(2.0, 1.0, 12)
+        self.shifts = 0.5 / self.depths
+        x = np.arange(64.0)
+        # What stands at a depth moves to the left as the camera goes to the right.
+        self.moved = [0.5 + 0.2 * np.sin(0.6 * (x + i * self.shifts[:, None])) for i in range(5)]
+
+    def test_what_moves_with_the_surface_does_not_shimmer(self):
+        self.assertLess(self.script.shimmer(self.moved, self.shifts), 1e-3)
+        self.assertGreater(self.script.shimmer(self.moved, 0.0 * self.shifts), 3e-3)
+        self.assertGreater(self.script.shimmer(self.moved, -self.shifts), 1e-2)
+
+    def test_what_flickers_does(self):
+        flicker = [picture + 0.01 * (-1) ** i for i, picture in enumerate(self.moved)]
+        self.assertAlmostEqual(self.script.shimmer(flicker, self.shifts), 0.04, delta=1e-3)
+
+    def test_rows_are_as_far_away_as_the_surface(self):
+        camera = {"eye": [0.0, 3.2, 4.0], "target": [0.0, 0.2, 0.0], "fov_y_deg": 30.0}
+        rows = self.script.depth_of_rows(camera, 0.2, 101)
+        self.assertAlmostEqual(rows[50], 5.0)
+        self.assertGreater(rows[0], rows[100])
 
 
 class Command(JudgeTest):
