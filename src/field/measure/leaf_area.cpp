@@ -16,7 +16,7 @@ namespace sward::field {
 namespace {
 
 /// Mean heights of clumps differ by this factor from the field's.
-constexpr float clumpSpread = 1.35f;
+constexpr float clumpSpread = 1.2f;
 
 /// Maximum blades whose colours are averaged.
 constexpr std::size_t colorSamples = 100'000;

@@ -34,8 +34,8 @@ struct LeafAreaGrid {
 LeafAreaGrid leafAreaOf(const FieldView& field);
 
 /// shared::packGrass() of a corner: [m²] of leaves there, that times the height [m] of their
-/// blades, and that times their tone; and [m²] of ground. Heights within a third of the field's mean
-/// count as the mean.
+/// blades, and that times their tone; and [m²] of ground. Heights within a fifth of the field's
+/// mean count as the mean.
 std::uint32_t grassOf(glm::vec3 leaves, float ground, float meanHeight);
 
 /// Its grid, also for a field without blades.
