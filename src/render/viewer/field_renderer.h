@@ -26,15 +26,15 @@ class Timestamps;
 
 namespace sward::render {
 
-/// Draws one field into the caller's pictures. Starts no threads but for a field that is
-/// sown, owns no window, submits nothing
-/// while recording (but see copied()). The constructor uploads the field and waits for it.
+/// Draws one field into the caller's pictures. Starts no threads but for a field that is sown, owns
+/// no window, submits nothing while recording (but see copied()). The constructor uploads the field
+/// and waits for it.
 class FieldRenderer {
 public:
     using Settings = FieldRendererSettings; ///< constant over all frames
 
-    /// The context must outlive it. A field that is streamed is kept if it is owned; a mere view
-    /// of it must stay valid. Others may be destroyed, but dumpBlades() needs them again.
+    /// The context must outlive it. A field that is streamed or sown is kept if it is owned; a mere
+    /// view of it must stay valid. Others may be destroyed, but dumpBlades() needs them again.
     /// Throws Error{runtime} if the device's memory or the budget is too small, naming both sizes;
     /// Error{unsupported} if the device cannot draw the requested geometry.
     FieldRenderer(const gpu::DeviceContext&, const field::OwnedField&, const Settings&);
