@@ -98,10 +98,10 @@ ONLY_IN = {
 INSIDE = {
     "core": "math files json",
     "shared": "look sow",
-    "field": "file seeds measure",
+    "field": "file measure seeds",
     "interchange": "usda",
     "gpu": "context recording memory pipeline device presentation",
-    "render": "frame field edits streaming host resident cull resolve raster tessellation preview viewer",
+    "render": "frame field edits streaming sowing host resident cull resolve raster tessellation preview viewer",
     "bake": "ground mask settings paint filter sample poisson patches blades plan tiles whole seeds session",
     "shaders": "common blade cull raster resolve tessellation preview bench",
     "terrain": "topology image files heightmap gltf mesh_files procedural query loading",

@@ -189,10 +189,10 @@ bool writesSeeds(const terrain::GroundMesh& ground, const BakeSettings& settings
             fail(ErrorKind::usage, "--seeds always cannot sow {}", unsown);
         return true;
     }
-    const double density =
-        settings.density.value_or(closedDensity(settings.meadow) / (scale * scale));
-    return unsown == nullptr &&
-           density * bearingArea(ground, settings.sides) * bladesPerRoot(settings.meadow) >
+    // A number that somebody chose is stored, or refused by its limits.
+    return unsown == nullptr && !settings.density &&
+           closedDensity(settings.meadow) / (scale * scale) * bearingArea(ground, settings.sides) *
+                   bladesPerRoot(settings.meadow) >
                double(std::max(settings.budget, usualBudget));
 }
 

@@ -26,7 +26,7 @@ enum class Spread { uniform, poisson, poissonDense };
 constexpr std::uint64_t usualBudget = 50'000'000;
 
 /// Whether a field holds seeds, what bears, and but the first of its blades (decision 0044):
-/// automatic where the closed sward exceeds the budget and usualBudget.
+/// automatic where no density is set, and the closed sward exceeds the budget and usualBudget.
 enum class SeedUse { never, automatic, always };
 
 /// Growth direction: 0 along the surface normal, 1 against gravity (ground-up), or between.

@@ -95,13 +95,9 @@ public:
     /// Raises the lodThreshold of that frame, which the device has not read yet: one per view.
     void thin(std::uint32_t slot, std::span<const shared::Eyepoint> raised);
 
-    /// The streaming of its field; null if all blades are resident.
+    // Streaming, sowing and edits of its field; null where there are none.
     Streaming* streaming() const { return field_->streaming.get(); }
-
-    /// The sowing of its field; null if it has no seeds.
     Sowing* sowing() const { return field_->sowing.get(); }
-
-    /// The edits of its field; null if it is not editable.
     ResidentEdits* edits() const { return field_->edits.get(); }
 
     /// Makes room for what edits have added to its field.

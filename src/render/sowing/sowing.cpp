@@ -15,7 +15,7 @@ namespace {
 
 /// Maximum change of thinning per frame, and the largest thinning: as Streaming.
 constexpr float sowingStep = 1.1f;
-constexpr float mostThinning = 8.0f;
+constexpr float maxSownThinning = 8.0f;
 
 /// Level-of-detail width for ranking units if level of detail is off [pixels].
 constexpr float sowingThreshold = 0.3f;
@@ -28,7 +28,7 @@ constexpr float replacing = 1.19f;
 constexpr float ignoredStep = 0.2f;
 
 /// Jobs that wait at once: enough for all threads until the next frame.
-constexpr std::size_t mostJobs = 256;
+constexpr std::size_t maxJobs = 256;
 
 /// Units that a frame grows without threads.
 constexpr std::uint32_t unitsOfFrame = 1;
@@ -93,7 +93,7 @@ void Sowing::choose(std::span<shared::Eyepoint> seen)
         }
 
     // The views draw no more than what is there.
-    const float wanted = std::clamp(missingScore_, 1.0f, mostThinning);
+    const float wanted = std::clamp(missingScore_, 1.0f, maxSownThinning);
     if (thinning_ == 0.0f || settings_.waits)
         thinning_ = wanted;
     else
@@ -186,7 +186,7 @@ void Sowing::takeIn(Edit& edit, bool takesAll)
         present_[one.unit] = {*place, one.score};
         copied_ += grown->second.blades.size() * sizeof(shared::PackedBlade);
     }
-    if (ready_.size() > 2 * mostJobs)
+    if (ready_.size() > 2 * maxJobs)
         std::erase_if(ready_, [&](const auto& one) {
             return !present_.contains(one.first) &&
                    std::ranges::find(wanted_, one.first, &SowChoice::Wanted::unit) == wanted_.end();
@@ -214,7 +214,7 @@ void Sowing::ask()
 {
     std::vector<SowWorkers::Job> jobs;
     for (const SowChoice::Wanted& one : wanted_) {
-        if (jobs.size() >= mostJobs || isFull_)
+        if (jobs.size() >= maxJobs || isFull_)
             break;
         if (one.isCell)
             jobs.push_back({choice_.indexOf(one.unit.cell), std::nullopt});
@@ -247,8 +247,8 @@ float Sowing::missingScore(std::span<const shared::Eyepoint> seen, float thresho
 /// Units that bear nothing are known; those far away may be asked for again.
 void Sowing::forgetBare()
 {
-    constexpr std::size_t mostPresent = 1U << 16U;
-    if (present_.size() > mostPresent)
+    constexpr std::size_t maxPresent = 1U << 16U;
+    if (present_.size() > maxPresent)
         std::erase_if(present_, [](const auto& one) {
             return one.second.place.bladeCount == 0 && one.second.score < 1.0f;
         });

@@ -16,7 +16,7 @@ constexpr std::uint32_t placesTogether = shared::nonEmptyPatchStride;
 /// Blades of a sown patch and of a unit, for the size of tables: fewer need more patches.
 constexpr std::uint64_t bladesOfPatch = 300;
 constexpr std::uint64_t bladesOfUnit = 8192;
-constexpr std::uint32_t leastUnits = 1024;
+constexpr std::uint32_t minUnits = 1024;
 
 std::uint32_t sownStrides(std::size_t blades)
 {
@@ -63,8 +63,8 @@ std::uint32_t firstLevels(std::span<const shared::Patch> patches, std::uint32_t 
 SownTables::Room SownTables::Room::of(std::uint64_t blades)
 {
     return {.blades = static_cast<std::uint32_t>(blades),
-            .patches = static_cast<std::uint32_t>(blades / bladesOfPatch) + leastUnits,
-            .units = static_cast<std::uint32_t>(blades / bladesOfUnit) + leastUnits};
+            .patches = static_cast<std::uint32_t>(blades / bladesOfPatch) + minUnits,
+            .units = static_cast<std::uint32_t>(blades / bladesOfUnit) + minUnits};
 }
 
 SownTables::SownTables(const field::FieldView& stored, const Room& room, std::uint32_t walkStart)

@@ -453,11 +453,30 @@ TEST(Seeds, WhatCannotBeSownIsRefused)
     EXPECT_TRUE(refused(settings));
     // Where nothing compels them, there are none.
     EXPECT_FALSE(bakeOf(meshes::square(10.0), settings, SeedUse::automatic).seeds);
-    settings = meadowSettings(10.0);
-    EXPECT_FALSE(bakeOf(meshes::square(10.0), settings, SeedUse::automatic).seeds);
-    settings.budget = 100;
+}
+
+TEST(Seeds, AreWrittenWhereTheClosedSwardExceedsEveryBudget)
+{
+    // 3600 blades a square metre.
+    const terrain::GroundMesh large = meshes::square(150.0);
+    BakeSettings settings = meadowSettings(1.0);
+    settings.seeds = SeedUse::automatic;
+    EXPECT_FALSE(writesSeeds(large, settings)) << "somebody chose a density";
     settings.density.reset();
-    EXPECT_TRUE(bakeOf(meshes::square(10.0), settings, SeedUse::automatic).seeds);
+    EXPECT_TRUE(writesSeeds(large, settings));
+    EXPECT_FALSE(writesSeeds(meshes::square(100.0), settings));
+    // A smaller budget thins the field, a larger one stores it.
+    settings.budget = 1'000'000;
+    EXPECT_TRUE(writesSeeds(large, settings));
+    EXPECT_FALSE(writesSeeds(meshes::square(100.0), settings));
+    settings.budget = 200'000'000;
+    EXPECT_FALSE(writesSeeds(large, settings));
+    settings.budget = usualBudget;
+    settings.spread = Spread::poisson;
+    EXPECT_FALSE(writesSeeds(large, settings)) << "disks cannot be sown";
+    settings.spread = Spread::uniform;
+    settings.seeds = SeedUse::never;
+    EXPECT_FALSE(writesSeeds(large, settings));
 }
 
 } // namespace

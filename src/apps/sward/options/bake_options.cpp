@@ -361,7 +361,8 @@ void BakeOptions::addRun(CLI::App& app)
     app.add_option("--seeds", seeds_,
                    "Whether the field holds what bears, and only blades of the lowest ranks: the "
                    "others grow where the viewer or a host looks, and by 'sward grow'; auto: "
-                   "where the closed sward exceeds --budget and 50 million blades, and can be sown")
+                   "where no density is given, and the closed sward exceeds --budget and 50 "
+                   "million blades, if it can be sown")
         ->type_name("auto|always|never")
         ->group(group)
         ->capture_default_str();

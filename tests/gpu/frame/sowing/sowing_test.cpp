@@ -5,8 +5,8 @@
 #include "core/diagnostics.h"
 #include "core/progress.h"
 #include "field/seeds/seeds.h"
-#include "likeness.h"
-#include "picture.h"
+#include "gpu/frame/likeness.h"
+#include "gpu/frame/picture.h"
 #include "support/gpu/gpu_fixture.h"
 #include "support/meshes.h"
 
