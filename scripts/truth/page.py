@@ -97,9 +97,9 @@ def write(page, folder, report, tables, before, shown=6):
             same = [other for other in results if other.split(".")[0] == scene]
             chosen = same[len(scenes) % len(same)]
             scenes.append(scene)
-            write_jpeg(pictures / f"{scene}.jpg", folder / f"{chosen}.pair.png")
+            write_jpeg(pictures / f"pair-{scene}.jpg", folder / f"{chosen}.pair.png")
             mean, contrast, _, flip = figures_of(results[chosen])
-            text += (f"\n![{chosen}: ours, the truth, four times the difference](truth/{scene}.jpg)\n\n"
+            text += (f"\n![{chosen}: ours, the truth, four times the difference](truth/pair-{scene}.jpg)\n\n"
                      f"*{chosen}*: {mean} of the true luminance, {contrast} of the true contrast, FLIP {flip}, of which the truth's noise "
                      f"is up to {results[chosen]['all']['all']['noise']:.2f}.\n")
     results = {name: result for table in tables for name, result in table["pictures"].items()}

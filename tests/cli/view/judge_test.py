@@ -238,9 +238,9 @@ class Command(JudgeTest):
         needs("pillow")
         page.write(self.folder / "page.md", self.folder / "out", report, [report], {"small.0.0": found})
         text = (self.folder / "page.md").read_text(encoding="utf-8")
-        self.assertIn("![small.0.0: ours, the truth, four times the difference](truth/small.jpg)", text)
+        self.assertIn("![small.0.0: ours, the truth, four times the difference](truth/pair-small.jpg)", text)
         self.assertRegex(text, r"\| small\.0\.0 \| (\d\.\d\d) → \1 \|")
-        self.assertGreater((self.folder / "truth/small.jpg").stat().st_size, 500)
+        self.assertGreater((self.folder / "truth/pair-small.jpg").stat().st_size, 500)
         self.assertRegex(text, r"64×36 pixels, 64 samples of a pixel by Cycles and 4 of ours, drawn on \w+")
         self.assertIn("Aims and how many of the 1 pictures meet them: luminance within 0.05 in ", text)
         nearer, farther = ({"size": None, "samples": samples, "supersample": 2, "fields": {}, "pictures": {f"lawn.{samples}.high": found}}

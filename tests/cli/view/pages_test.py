@@ -135,6 +135,7 @@ class HelpTest(unittest.TestCase):
         """Whether the command line is understood; no work is done."""
         rest = {"bake": ["plane", "--print-config"], "plan": ["none.glb", "-o", "/proc/none/p.json"],
                 "compare": ["none.sward", "none.sward"], "tile": ["none.json", "-o", "none"],
+                "grow": ["none.sward", "-o", "grown.sward"], "export": ["none.sward", "-o", "none.csv"],
                 "render": ["none.sward", "-o", "none.png"], "trace": ["none.sward", "-o", "none.png"]}.get(command, ["none.sward"])
         needed = {"plan": ["--tiles", "1"], "tile": ["--index", "0"]}.get(command, [])
         if option in needed:
