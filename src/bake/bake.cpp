@@ -16,12 +16,9 @@
 #include "field/write.h"
 #include "terrain/query/surface_query.h"
 
-#include <tbb/parallel_invoke.h>
-
 #include <algorithm>
 #include <cmath>
 #include <iterator>
-#include <optional>
 #include <utility>
 
 namespace sward::bake {
@@ -41,22 +38,8 @@ Report bakeWhole(const terrain::GroundMesh& ground, const BakeSettings& settings
     withThreads(threadCount(threads), [&] {
         report = reportOf(ground, settings, threadCount(threads));
         Stopwatch watch;
-        // One thread finds the connections while the others build the ray tree.
-        terrain::SurfaceFeatures features;
-        std::optional<terrain::SurfaceQuery> rays;
-        tbb::parallel_invoke(
-            [&] {
-                Stopwatch own;
-                features = featuresOf(ground, settings);
-                report.timing.topology = own.lap();
-            },
-            [&] {
-                Stopwatch own;
-                // A plan casts none unless a filter of a count does, and each tile has its own.
-                if (needsRays(ground, settings) && !hasManyTriangles(ground, settings, limits))
-                    rays.emplace(ground);
-                report.timing.rays = own.lap();
-            });
+        // A plan casts no rays unless a filter of a count does.
+        auto [features, rays] = prepareGround(ground, settings, limits, report.timing);
         GroundView whole{ground, features, rays ? &*rays : nullptr};
         watch.lap();
         const double before = processorSeconds();

@@ -10,8 +10,6 @@
 #include "core/stopwatch.h"
 #include "terrain/query/surface_query.h"
 
-#include <tbb/parallel_invoke.h>
-
 #include <algorithm>
 #include <iterator>
 #include <memory>
@@ -107,24 +105,16 @@ TileResult bakeInTiles(const GroundView& whole, const BakeSettings& settings, co
 {
     const terrain::GroundMesh& ground = whole.ground;
     const double margin = seedMargin(ground, settings, plan);
-    const std::vector<std::vector<CellNumber>> tiles =
-        dealTiles(ground, ground.triangles.size() / limits.trianglesInTile + 1);
-    std::vector<std::vector<std::uint32_t>> near = trianglesNear(ground, tiles, margin);
     TileResult all;
     std::vector<field::Seeds> seeds;
     Totals totals;
-    for (std::size_t i = 0; i < tiles.size(); ++i) {
-        if (tiles[i].empty())
-            continue;
-        const terrain::GroundMesh part = partOf(ground, near[i]);
-        const terrain::SurfaceFeatures features = partOf(ground, whole.features, near[i], margin);
-        std::vector<std::uint32_t>().swap(near[i]);
-        const TileRegion region(ground.origin, tiles[i]);
-        TileResult tile = bakeSeededTile({part, features}, settings, plan, &region, progress);
+    const std::size_t count = ground.triangles.size() / limits.trianglesInTile + 1;
+    forEachTile(whole, count, margin, [&](const GroundView& part, const TileRegion& region) {
+        TileResult tile = bakeSeededTile(part, settings, plan, &region, progress);
         totals.add(tile);
         std::move(tile.cells.begin(), tile.cells.end(), std::back_inserter(all.cells));
         seeds.push_back(std::move(tile.seeds));
-    }
+    });
     all.counts = totals.counts;
     all.timing = totals.timing;
     all.seeds = joinTiles(seeds, *plan.seeds);
@@ -150,21 +140,7 @@ BakeResult bakeSeededField(const terrain::GroundMesh& ground, const BakeSettings
     withThreads(threadCount(threads), [&] {
         report = reportOf(ground, settings, threadCount(threads));
         Stopwatch watch;
-        terrain::SurfaceFeatures features;
-        std::optional<terrain::SurfaceQuery> rays;
-        tbb::parallel_invoke(
-            [&] {
-                Stopwatch own;
-                features = featuresOf(ground, settings);
-                report.timing.topology = own.lap();
-            },
-            [&] {
-                Stopwatch own;
-                // Each tile has its own.
-                if (needsRays(ground, settings) && !hasManyTriangles(ground, settings, limits))
-                    rays.emplace(ground);
-                report.timing.rays = own.lap();
-            });
+        const auto [features, rays] = prepareGround(ground, settings, limits, report.timing);
         const GroundView whole{ground, features, rays ? &*rays : nullptr};
         BakePlan plan = planWhole(whole, fullSettings(settings), diagnostics, progress);
         planSeeds(ground, settings, plan);

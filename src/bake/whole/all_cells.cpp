@@ -1,7 +1,12 @@
 #include "bake/whole/all_cells.h"
 
+#include "core/stopwatch.h"
+
+#include <tbb/parallel_invoke.h>
+
 #include <algorithm>
 #include <cmath>
+#include <vector>
 
 namespace sward::bake {
 namespace {
@@ -58,9 +63,18 @@ void bakeAllCells(const GroundView& whole, const BakeSettings& settings, const B
     const double margin = tileMargin(ground, settings, plan);
     double wanted = std::ceil(expectedWithStrokes(settings, plan.plan) / limits.inTile);
     if (hasManyTriangles(ground, settings, limits))
-        wanted = std::max(wanted, std::ceil(double(ground.triangles.size()) /
-                                            double(limits.trianglesInTile)));
+        wanted = std::max(
+            wanted, std::ceil(double(ground.triangles.size()) / double(limits.trianglesInTile)));
     const auto count = static_cast<std::size_t>(wanted);
+    forEachTile(whole, count, margin, [&](const GroundView& part, const TileRegion& tile) {
+        take(bakeTile(part, settings, plan, &tile, progress));
+    });
+}
+
+void forEachTile(const GroundView& whole, std::size_t count, double margin,
+                 const std::function<void(const GroundView& part, const TileRegion& tile)>& bake)
+{
+    const terrain::GroundMesh& ground = whole.ground;
     const std::vector<std::vector<CellNumber>> tiles = dealTiles(ground, count);
     std::vector<std::vector<std::uint32_t>> near = trianglesNear(ground, tiles, margin);
     for (std::vector<std::uint32_t>& triangles : near)
@@ -71,9 +85,27 @@ void bakeAllCells(const GroundView& whole, const BakeSettings& settings, const B
         const terrain::GroundMesh part = partOf(ground, near[i]);
         const terrain::SurfaceFeatures features = partOf(ground, whole.features, near[i], margin);
         std::vector<std::uint32_t>().swap(near[i]);
-        const TileRegion region(ground.origin, tiles[i]);
-        take(bakeTile({part, features}, settings, plan, &region, progress));
+        bake({part, features}, TileRegion(ground.origin, tiles[i]));
     }
+}
+
+PreparedGround prepareGround(const terrain::GroundMesh& ground, const BakeSettings& settings,
+                             const TileLimits& limits, Report::Timing& timing)
+{
+    PreparedGround prepared;
+    tbb::parallel_invoke(
+        [&] {
+            Stopwatch own;
+            prepared.features = featuresOf(ground, settings);
+            timing.topology = own.lap();
+        },
+        [&] {
+            Stopwatch own;
+            if (needsRays(ground, settings) && !hasManyTriangles(ground, settings, limits))
+                prepared.rays.emplace(ground);
+            timing.rays = own.lap();
+        });
+    return prepared;
 }
 
 } // namespace sward::bake

@@ -4,9 +4,11 @@
 #include "bake/tiles/bake_tile.h"
 #include "bake/whole/report_totals.h"
 #include "core/progress.h"
+#include "terrain/query/surface_query.h"
 
+#include <cstddef>
 #include <functional>
-#include <vector>
+#include <optional>
 
 namespace sward::bake {
 
@@ -20,6 +22,23 @@ struct TileLimits {
     std::size_t trianglesInOne = 6'000'000;
     std::size_t trianglesInTile = 500'000;
 };
+
+/// What a plan needs of a ground.
+struct PreparedGround {
+    terrain::SurfaceFeatures features;
+    std::optional<terrain::SurfaceQuery>
+        rays; ///< none if nothing casts rays, or each tile has its own
+};
+
+/// Finds the connections of a ground's triangles, and builds its ray tree beside that. Adds to the
+/// times of a report.
+PreparedGround prepareGround(const terrain::GroundMesh& ground, const BakeSettings& settings,
+                             const TileLimits& limits, Report::Timing& timing);
+
+/// Calls `bake` for each of `count` tiles of a ground that has cells, with the part of the ground
+/// within `margin` of it and without a ray tree.
+void forEachTile(const GroundView& whole, std::size_t count, double margin,
+                 const std::function<void(const GroundView& part, const TileRegion& tile)>& bake);
 
 /// Takes the result of a tile, one of several or the only one.
 using TakeTile = std::function<void(TileResult&& tile)>;

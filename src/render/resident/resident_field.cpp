@@ -90,10 +90,6 @@ std::uint32_t pagesOf(const field::FieldView& field, const FieldBudget& budget,
                                }});
 }
 
-/// Blades that a frame sows [bytes].
-constexpr VkDeviceSize sownPerFrame = VkDeviceSize(4) << 20;
-constexpr VkDeviceSize sownWaiting = VkDeviceSize(64) << 20;
-
 bool sows(const field::FieldView& field, const FieldBudget& budget)
 {
     return budget.sownBytes > 0 && !budget.isEditable && isSown(field);
@@ -122,7 +118,6 @@ DeviceField sownField(const gpu::DeviceContext& context, gpu::BufferUpload& uplo
              field.blades.size(), (needed >> 20) + 1, budget.bytes >> 20);
     settings.sowing = {.framesInFlight = budget.framesInFlight,
                        .threads = budget.sowThreads,
-                       .frameBytes = budget.waitsForDisk ? sownWaiting : sownPerFrame,
                        .waits = budget.waitsForDisk};
     return {context,          gpu::ShaderLibrary(embedded::shaders()),
             upload,           field,

@@ -12,11 +12,10 @@ namespace sward::render {
 namespace {
 
 /// Largest share of the blades that any eye draws in a box.
-float shareIn(const Aabb& box, std::span<const shared::Eyepoint> eyes, float threshold)
+float shareIn(const Aabb& box, std::span<const shared::Eyepoint> eyes)
 {
     float share = 0.0f;
-    for (shared::Eyepoint eye : eyes) {
-        eye.lodThreshold = threshold;
+    for (const shared::Eyepoint& eye : eyes) {
         const float distance = shared::boxDistance(eye.eye, box.low, box.high);
         if ((eye.cullMask & shared::cullDistance) == 0 || distance <= eye.drawDistance)
             share = std::max(share, shared::shareAt(eye, distance));
@@ -36,13 +35,13 @@ SowChoice::SowChoice(const field::SeedsView& seeds)
         ++firstLevel_;
 }
 
-void SowChoice::findIn(std::size_t index, std::span<const shared::Eyepoint> all, float threshold,
+void SowChoice::findIn(std::size_t index, std::span<const shared::Eyepoint> eyes,
                        std::vector<Wanted>& wanted) const
 {
     const std::uint32_t levels = seeds_->meadow->levels;
     field::SowUnit unit;
     unit.cell = seeds_->cells[index].cell;
-    const float most = shareIn(field::boxOf(unit), all, threshold);
+    const float most = shareIn(field::boxOf(unit), eyes);
     if (firstLevel_ > levels || most <= field::lowestRank(firstLevel_, 0, levels))
         return;
     const auto known = cubes_.find(unit.cell);
@@ -59,7 +58,7 @@ void SowChoice::findIn(std::size_t index, std::span<const shared::Eyepoint> all,
                 for (unit.place[0] = 0; unit.place[0] < side; ++unit.place[0]) {
                     if (!field::bears(known->second, unit))
                         continue;
-                    const float share = shareIn(field::boxOf(unit), all, threshold);
+                    const float share = shareIn(field::boxOf(unit), eyes);
                     for (unit.half = 0; unit.half < 2; ++unit.half) {
                         const float lowest = field::lowestRank(unit.level, unit.half, levels);
                         if (share > lowest)
@@ -70,25 +69,19 @@ void SowChoice::findIn(std::size_t index, std::span<const shared::Eyepoint> all,
     }
 }
 
-void SowChoice::find(std::span<const shared::Eyepoint> eyes,
-                     std::span<const shared::Eyepoint> ahead, float threshold,
-                     std::vector<Wanted>& wanted) const
+void SowChoice::find(std::span<const shared::Eyepoint> eyes, std::vector<Wanted>& wanted) const
 {
     wanted.clear();
-    std::vector<shared::Eyepoint> all(eyes.begin(), eyes.end());
-    all.insert(all.end(), ahead.begin(), ahead.end());
     for (std::size_t i = 0; i < seeds_->cells.size(); ++i)
-        findIn(i, all, threshold, wanted);
+        findIn(i, eyes, wanted);
     std::ranges::sort(wanted, [](const Wanted& a, const Wanted& b) {
         return std::tie(b.score, a.unit) < std::tie(a.score, b.unit);
     });
 }
 
-float SowChoice::scoreOf(const field::SowUnit& unit, std::span<const shared::Eyepoint> eyes,
-                         std::span<const shared::Eyepoint> ahead, float threshold) const
+float SowChoice::scoreOf(const field::SowUnit& unit, std::span<const shared::Eyepoint> eyes) const
 {
-    const Aabb box = field::boxOf(unit);
-    return std::max(shareIn(box, eyes, threshold), shareIn(box, ahead, threshold)) /
+    return shareIn(field::boxOf(unit), eyes) /
            field::lowestRank(unit.level, unit.half, seeds_->meadow->levels);
 }
 

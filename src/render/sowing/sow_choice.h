@@ -28,22 +28,19 @@ public:
     };
 
     /// All that is wanted, in falling order of scores; equal scores in order of their units.
-    /// `threshold`: Eyepoint::lodThreshold instead of the eyepoints' own.
-    void find(std::span<const shared::Eyepoint> eyes, std::span<const shared::Eyepoint> ahead,
-              float threshold, std::vector<Wanted>& wanted) const;
+    void find(std::span<const shared::Eyepoint> eyes, std::vector<Wanted>& wanted) const;
 
-    /// Score of a unit that is there.
-    float scoreOf(const field::SowUnit& unit, std::span<const shared::Eyepoint> eyes,
-                  std::span<const shared::Eyepoint> ahead, float threshold) const;
+    /// Score of any unit.
+    float scoreOf(const field::SowUnit& unit, std::span<const shared::Eyepoint> eyes) const;
 
     /// Says where a cell bears.
     void know(const std::array<std::int32_t, 3>& cell, const field::UnitCell::Cubes& cubes);
 
-    /// Number of a cell in the seeds; none is an invariant's violation.
+    /// Number of a cell of the seeds.
     std::size_t indexOf(const std::array<std::int32_t, 3>& cell) const;
 
 private:
-    void findIn(std::size_t index, std::span<const shared::Eyepoint> all, float threshold,
+    void findIn(std::size_t index, std::span<const shared::Eyepoint> eyes,
                 std::vector<Wanted>& wanted) const;
 
     const field::SeedsView* seeds_;

@@ -1,6 +1,7 @@
 #include "render/sowing/sowing.h"
 
 #include "core/expect.h"
+#include "render/streaming/thinning.h"
 #include "shaders/shared/pages.h"
 #include "shaders/shared/visibility.h"
 
@@ -13,12 +14,9 @@
 namespace sward::render {
 namespace {
 
-/// Maximum change of thinning per frame, and the largest thinning: as Streaming.
-constexpr float sowingStep = 1.1f;
-constexpr float maxSownThinning = 8.0f;
-
-/// Level-of-detail width for ranking units if level of detail is off [pixels].
-constexpr float sowingThreshold = 0.3f;
+/// Blades that come in a frame, and in one that waits for them [bytes].
+constexpr VkDeviceSize frameBytes = VkDeviceSize(4) << 20;
+constexpr VkDeviceSize waitingBytes = VkDeviceSize(64) << 20;
 
 /// A unit replaces another one that is wanted less by this factor, so that a still eye changes
 /// nothing.
@@ -29,15 +27,6 @@ constexpr float ignoredStep = 0.2f;
 
 /// Jobs that wait at once: enough for all threads until the next frame.
 constexpr std::size_t maxJobs = 256;
-
-/// Units that a frame grows without threads.
-constexpr std::uint32_t unitsOfFrame = 1;
-
-void raiseThreshold(std::span<shared::Eyepoint> seen, float threshold)
-{
-    for (shared::Eyepoint& view : seen)
-        view.lodThreshold = threshold;
-}
 
 } // namespace
 
@@ -64,56 +53,65 @@ Sowing::Sowing(const gpu::DeviceContext& context, const gpu::ShaderLibrary& shad
                                             std::max(field.seeds->meadow->stored, 1e-12)))
     , nearestMissing_(std::numeric_limits<float>::infinity())
 {
-    // A job counts by the shared::PackedBlade that it brings.
-    settings_.frameBytes = std::max<VkDeviceSize>(settings_.frameBytes, 1);
 }
 
 void Sowing::choose(std::span<shared::Eyepoint> seen)
 {
-    expect(!seen.empty(), "someone looks");
-    const float own = seen.front().lodThreshold;
-    const float threshold = own > 0.0f ? own : sowingThreshold;
+    expect(!seen.empty(), "a frame has views");
+    const float threshold = seen.front().lodThreshold;
+    eyes_.assign(seen.begin(), seen.end());
     const std::span<const shared::Eyepoint> ahead = motion_.ahead(seen);
+    eyes_.insert(eyes_.end(), ahead.begin(), ahead.end());
+    if (threshold <= 0.0f)
+        setThreshold(eyes_, rankingThreshold);
 
-    const bool hasChanged = copied_ > 0;
+    const bool hadMore = copied_ > 0;
     copied_ = 0;
-    for (bool again = true; again;) {
-        again = false;
-        const bool isNews = takeResults();
-        if (!settings_.waits && !isNews && !hasChanged && !hasMoved(seen, ahead))
-            break;
-        bring(seen, ahead, threshold);
-        if (settings_.waits && missing_ > 0 && !isFull_ && copied_ < settings_.frameBytes) {
-            workers_.finish();
-            again = true;
+    if (settings_.waits) {
+        for (bool isDone = false; !isDone;) {
+            takeResults();
+            bring(seen.size());
+            isDone = missing_ == 0 || isFull_ || copied_ >= waitingBytes;
+            if (!isDone)
+                workers_.finish();
         }
+    } else if (takeResults() || hadMore || haveMoved()) {
+        bring(seen.size());
     }
     if (settings_.threads == 0 && !settings_.waits)
-        for (std::uint32_t i = 0; i < unitsOfFrame && workers_.run(); ++i) {
-        }
+        workers_.run();
 
-    // The views draw no more than what is there.
-    const float wanted = std::clamp(missingScore_, 1.0f, maxSownThinning);
-    if (thinning_ == 0.0f || settings_.waits)
-        thinning_ = wanted;
-    else
-        thinning_ = std::clamp(wanted, thinning_ / sowingStep, thinning_ * sowingStep);
-    if (own > 0.0f)
-        raiseThreshold(seen, own * thinning_);
+    const float wanted = std::clamp(missingScore_, 1.0f, maxThinning);
+    thinning_ = nextThinning(settings_.waits ? 0.0f : thinning_, wanted);
+    if (threshold > 0.0f)
+        setThreshold(seen, threshold * thinning_);
     isSettled_ = copied_ == 0 && (missing_ == 0 || isFull_) && thinning_ == wanted;
 }
 
-/// Chooses anew, and changes the tables.
-void Sowing::bring(std::span<const shared::Eyepoint> seen, std::span<const shared::Eyepoint> ahead,
-                   float threshold)
+/// Whether an eye has moved so far since the last choice that it may want other units.
+bool Sowing::haveMoved() const
 {
+    const auto wantsTheSame = [](const shared::Eyepoint& a, const shared::Eyepoint& b) {
+        return glm::distance(a.eye, b.eye) < ignoredStep && a.pixelsPerUnit == b.pixelsPerUnit &&
+               a.lodThreshold == b.lodThreshold && a.lodWidth == b.lodWidth &&
+               a.cullMask == b.cullMask && a.drawDistance == b.drawDistance &&
+               a.sparseFrom == b.sparseFrom;
+    };
+    return !std::ranges::equal(eyes_, looked_, wantsTheSame);
+}
+
+/// Chooses units for the eyes, of which the first `views` are those of views; changes the tables,
+/// and asks for what is missing.
+void Sowing::bring(std::size_t views)
+{
+    looked_ = eyes_;
     isFull_ = false;
     forgetBare();
-    choice_.find(seen, ahead, threshold, wanted_);
+    choice_.find(eyes_, wanted_);
     for (auto& [unit, present] : present_)
-        present.score = choice_.scoreOf(unit, seen, ahead, threshold);
+        present.score = choice_.scoreOf(unit, eyes_);
     Edit edit;
-    takeIn(edit, settings_.waits);
+    takeIn(edit);
     if (!edit.patches.empty()) {
         edit.patches = united(std::move(edit.patches));
         edit.entries = united(std::move(edit.entries));
@@ -122,28 +120,10 @@ void Sowing::bring(std::span<const shared::Eyepoint> seen, std::span<const share
         std::erase_if(ready_, [&](const auto& one) { return present_.contains(one.first); });
     }
     ask();
-    missingScore_ = missingScore(seen, threshold);
+    findMissing(std::span(eyes_).first(views));
 }
 
-/// Whether an eye has moved far enough since it was last asked to want something else.
-bool Sowing::hasMoved(std::span<const shared::Eyepoint> seen,
-                      std::span<const shared::Eyepoint> ahead)
-{
-    std::vector<shared::Eyepoint> now(seen.begin(), seen.end());
-    now.insert(now.end(), ahead.begin(), ahead.end());
-    const auto isNear = [](const shared::Eyepoint& a, const shared::Eyepoint& b) {
-        return glm::distance(a.eye, b.eye) < ignoredStep && a.pixelsPerUnit == b.pixelsPerUnit &&
-               a.lodThreshold == b.lodThreshold && a.lodWidth == b.lodWidth &&
-               a.cullMask == b.cullMask && a.drawDistance == b.drawDistance &&
-               a.sparseFrom == b.sparseFrom;
-    };
-    if (std::ranges::equal(now, looked_, isNear))
-        return false;
-    looked_ = std::move(now);
-    return true;
-}
-
-/// Returns whether there were any.
+/// Takes what the workers have grown. Returns false if there was nothing.
 bool Sowing::takeResults()
 {
     std::vector<SowWorkers::Result> results = workers_.take();
@@ -160,9 +140,12 @@ bool Sowing::takeResults()
     return !results.empty();
 }
 
-/// Brings wanted units, the most wanted first. What is wanted no longer is forgotten.
-void Sowing::takeIn(Edit& edit, bool takesAll)
+/// Puts grown units into the tables, the most wanted first. While a frame waits, a unit comes after
+/// all that are wanted more: the places of blades depend on the order, and pictures of one camera
+/// shall be the same in every run.
+void Sowing::takeIn(Edit& edit)
 {
+    const VkDeviceSize most = settings_.waits ? waitingBytes : frameBytes;
     missing_ = 0;
     bool isInOrder = true;
     for (const SowChoice::Wanted& one : wanted_) {
@@ -170,10 +153,8 @@ void Sowing::takeIn(Edit& edit, bool takesAll)
             continue;
         const auto grown = one.isCell ? ready_.end() : ready_.find(one.unit);
         ++missing_;
-        // Places depend on the order, and pictures of one camera shall be the same in every run.
         isInOrder = isInOrder && grown != ready_.end();
-        if (grown == ready_.end() || (takesAll && !isInOrder) || copied_ >= settings_.frameBytes ||
-            isFull_)
+        if (grown == ready_.end() || (settings_.waits && !isInOrder) || copied_ >= most || isFull_)
             continue;
         std::optional<SownTables::Place> place = tables_->add(grown->second, edit);
         while (!place && makeRoom(one.score, edit))
@@ -186,6 +167,7 @@ void Sowing::takeIn(Edit& edit, bool takesAll)
         present_[one.unit] = {*place, one.score};
         copied_ += grown->second.blades.size() * sizeof(shared::PackedBlade);
     }
+    // Forgets grown units that no eye wants any more.
     if (ready_.size() > 2 * maxJobs)
         std::erase_if(ready_, [&](const auto& one) {
             return !present_.contains(one.first) &&
@@ -193,7 +175,8 @@ void Sowing::takeIn(Edit& edit, bool takesAll)
         });
 }
 
-/// Removes the unit that is wanted least, if it is wanted less than `score`.
+/// Removes the unit that is wanted least, if that is wanted less than `score`. Units come in
+/// falling order of scores, so none is removed that the same edit has brought.
 bool Sowing::makeRoom(float score, Edit& edit)
 {
     auto least = present_.end();
@@ -204,12 +187,11 @@ bool Sowing::makeRoom(float score, Edit& edit)
     if (least == present_.end() || least->second.score * replacing >= score)
         return false;
     tables_->remove(least->second.place, edit);
-    // What this edit has brought stays.
     present_.erase(least);
     return true;
 }
 
-/// Asks for what is wanted, not there and not grown.
+/// Gives the workers what is wanted and neither in the tables nor grown.
 void Sowing::ask()
 {
     std::vector<SowWorkers::Job> jobs;
@@ -224,27 +206,26 @@ void Sowing::ask()
     workers_.want(std::move(jobs));
 }
 
-/// The highest score of what these eyes want and is not there; 0 if nothing is missing.
-float Sowing::missingScore(std::span<const shared::Eyepoint> seen, float threshold)
+/// Finds the highest score, and the nearest place, of what the views draw and is not there.
+void Sowing::findMissing(std::span<const shared::Eyepoint> views)
 {
     nearestMissing_ = std::numeric_limits<float>::infinity();
-    float most = 0.0f;
+    missingScore_ = 0.0f;
     for (const SowChoice::Wanted& one : wanted_) {
         if (!one.isCell && present_.contains(one.unit))
             continue;
-        const float score = one.isCell ? one.score : choice_.scoreOf(one.unit, seen, {}, threshold);
+        const float score = one.isCell ? one.score : choice_.scoreOf(one.unit, views);
         if (score <= 1.0f)
             continue;
-        most = std::max(most, score);
+        missingScore_ = std::max(missingScore_, score);
         const Aabb box = field::boxOf(one.unit);
-        for (const shared::Eyepoint& view : seen)
+        for (const shared::Eyepoint& view : views)
             nearestMissing_ =
                 std::min(nearestMissing_, shared::boxDistance(view.eye, box.low, box.high));
     }
-    return most;
 }
 
-/// Units that bear nothing are known; those far away may be asked for again.
+/// Forgets far units that bear nothing, once there are many; eyes may ask for them again.
 void Sowing::forgetBare()
 {
     constexpr std::size_t maxPresent = 1U << 16U;

@@ -31,9 +31,9 @@ class Sowing {
 public:
     struct Settings {
         std::uint32_t framesInFlight = 1;
-        std::uint32_t threads = 0;   ///< that grow units; 0: some units a frame in choose()
-        VkDeviceSize frameBytes = 0; ///< maximum upload per frame, or one unit
-        bool waits = false;          ///< a frame waits for what it wants
+        std::uint32_t threads = 0; ///< that grow units; 0: choose() grows one
+        bool waits =
+            false; ///< choose() waits until all that is wanted is there, or no room is left
     };
 
     /// The data viewed by `field` must outlive it.
@@ -74,13 +74,12 @@ private:
         float score = 0.0f;
     };
     bool takeResults();
-    bool hasMoved(std::span<const shared::Eyepoint> seen, std::span<const shared::Eyepoint> ahead);
-    void bring(std::span<const shared::Eyepoint> seen, std::span<const shared::Eyepoint> ahead,
-               float threshold);
+    bool haveMoved() const;
+    void bring(std::size_t views);
     void ask();
-    void takeIn(Edit& edit, bool takesAll);
+    void takeIn(Edit& edit);
     bool makeRoom(float score, Edit& edit);
-    float missingScore(std::span<const shared::Eyepoint> seen, float threshold);
+    void findMissing(std::span<const shared::Eyepoint> views);
     void forgetBare();
 
     Settings settings_;
@@ -97,7 +96,8 @@ private:
     float nearestMissing_ = 0.0f;          ///< [m]
     float missingScore_ = 0.0f;            ///< the highest of what is missing
     std::size_t missing_ = 0;              ///< wanted units that are not there
-    std::vector<shared::Eyepoint> looked_; ///< eyes of the last choice
+    std::vector<shared::Eyepoint> eyes_;   ///< of the views, then of these moved ahead
+    std::vector<shared::Eyepoint> looked_; ///< the same of the last choice
     float thinning_ = 0.0f;                ///< 0: before the first frame
     bool isFull_ = false;
     bool isSettled_ = false;

@@ -1,6 +1,7 @@
 #include "render/streaming/residency.h"
 
 #include "core/expect.h"
+#include "render/streaming/thinning.h"
 
 #include <glm/geometric.hpp>
 
@@ -14,10 +15,6 @@ namespace {
 
 using shared::noPlace;
 using shared::pageBlades;
-
-/// Maximum factor on the level-of-detail width. Wider blades would look like other blades; beyond
-/// it, missing blades leave gaps in the picture.
-constexpr float maxThinning = 8.0f;
 
 /// A search that does not end within a frame's visits goes on for so many frames while eyes move;
 /// its order is that of the first of them.

@@ -3,6 +3,7 @@
 #include "core/expect.h"
 #include "gpu/recording/barrier.h"
 #include "render/frame/shader_names.h"
+#include "render/streaming/thinning.h"
 
 #include <algorithm>
 #include <bit>
@@ -23,12 +24,6 @@ constexpr std::uint32_t nodesPerFrame = 512;
 /// The least for each of many eyes.
 constexpr std::uint32_t minNodes = 64;
 
-/// Maximum change of thinning per frame: a tenth of the width.
-constexpr float thinningStep = 1.1f;
-
-/// Level-of-detail width for ranking blades if level of detail is off [pixels].
-constexpr float rankingThreshold = 0.3f;
-
 /// Batches for the copy queue: one being filled, one in flight, one that has arrived.
 constexpr std::uint32_t queuedBatches = 3;
 
@@ -46,12 +41,6 @@ std::uint32_t batchesOf(const Streaming::Settings& settings)
 VkDeviceSize maxChanges(const Streaming::Settings& settings)
 {
     return VkDeviceSize(pagesPerFrame(settings)) * (batchesOf(settings) + 1);
-}
-
-void raise(std::span<shared::Eyepoint> seen, float threshold)
-{
-    for (shared::Eyepoint& view : seen)
-        view.lodThreshold = threshold;
 }
 
 } // namespace
@@ -97,7 +86,7 @@ void Streaming::choose(std::span<shared::Eyepoint> seen, std::uint32_t slot)
     // Choose by what is drawn now, and by where the eyes will be.
     const float threshold = seen.front().lodThreshold;
     if (thinning_ > 0.0f)
-        raise(seen, threshold * thinning_);
+        setThreshold(seen, threshold * thinning_);
     const std::span<const shared::Eyepoint> ahead = motion_.ahead(seen);
     const auto eyes = static_cast<std::uint32_t>(seen.size() + ahead.size());
 
@@ -135,11 +124,8 @@ void Streaming::choose(std::span<shared::Eyepoint> seen, std::uint32_t slot)
     frame.resident = residency_.tree().blades();
 
     const float wanted = residency_.thinning();
-    if (thinning_ == 0.0f)
-        thinning_ = wanted;
-    else
-        thinning_ = std::clamp(wanted, thinning_ / thinningStep, thinning_ * thinningStep);
-    raise(seen, threshold * thinning_);
+    thinning_ = nextThinning(thinning_, wanted);
+    setThreshold(seen, threshold * thinning_);
     const bool isOnItsWay = std::ranges::any_of(coming_, [](const auto& p) { return !p.empty(); });
     isSettled_ = frame.count == 0 && left_.empty() && !isOnItsWay && thinning_ == wanted &&
                  residency_.isAllThere();

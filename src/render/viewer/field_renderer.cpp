@@ -46,10 +46,6 @@ PlacedField::Settings bladeSettings(const FieldRenderer::Settings& wanted)
             .keepsCullResults = wanted.recordCullResults};
 }
 
-/// Blades that a frame sows, and one that waits for them [bytes].
-constexpr VkDeviceSize frameBytes = VkDeviceSize(4) << 20;
-constexpr VkDeviceSize waitingBytes = VkDeviceSize(64) << 20;
-
 /// A blade's part of a list that holds a share of all, with patches that are not full [bytes].
 constexpr std::uint64_t bytesOfSownList = 5;
 
@@ -192,7 +188,6 @@ std::unique_ptr<DeviceField> FieldRenderer::Parts::sownField(const field::FieldV
             view, room, context.isCpu() ? shared::walkStart : shared::walkStartOfGpu),
         .sowing = {.framesInFlight = settings.framesInFlight,
                    .threads = settings.sowThreads,
-                   .frameBytes = settings.waitsForDisk ? waitingBytes : frameBytes,
                    .waits = settings.waitsForDisk},
         .framesInFlight = settings.framesInFlight,
         .exposure = exposure};

@@ -195,7 +195,7 @@ TEST(SowChoice, WantsWhatIsDrawnTheNearestFirst)
     SowChoice choice(ground.seeds);
     const shared::Eyepoint eye = eyeAt({3.0f, 2.0f, 5.0f});
     std::vector<SowChoice::Wanted> wanted;
-    choice.find({&eye, 1}, {}, eye.lodThreshold, wanted);
+    choice.find({&eye, 1}, wanted);
     ASSERT_EQ(wanted.size(), 64U);
     field::UnitCell::Cubes floor;
     for (std::size_t i = 0; i < floor.size(); ++i)
@@ -204,7 +204,7 @@ TEST(SowChoice, WantsWhatIsDrawnTheNearestFirst)
         EXPECT_TRUE(one.isCell);
         choice.know(one.unit.cell, floor);
     }
-    choice.find({&eye, 1}, {}, eye.lodThreshold, wanted);
+    choice.find({&eye, 1}, wanted);
     std::set<field::SowUnit> found;
     float before = std::numeric_limits<float>::infinity();
     for (const SowChoice::Wanted& one : wanted) {
@@ -212,7 +212,7 @@ TEST(SowChoice, WantsWhatIsDrawnTheNearestFirst)
         EXPECT_LE(one.score, before);
         before = one.score;
         EXPECT_GT(one.score, 1.0f);
-        EXPECT_EQ(one.score, choice.scoreOf(one.unit, {&eye, 1}, {}, eye.lodThreshold));
+        EXPECT_EQ(one.score, choice.scoreOf(one.unit, {&eye, 1}));
         EXPECT_EQ(one.unit.place[1], 0U);
         EXPECT_TRUE(found.insert(one.unit).second);
     }
@@ -244,13 +244,13 @@ TEST(SowChoice, WantsWhatIsDrawnTheNearestFirst)
     shared::Eyepoint turned = eye;
     turned.planes[0] = glm::vec4(1.0f, 0.0f, 0.0f, -100.0f);
     std::vector<SowChoice::Wanted> again;
-    choice.find({&turned, 1}, {}, eye.lodThreshold, again);
+    choice.find({&turned, 1}, again);
     EXPECT_EQ(again.size(), wanted.size());
     const shared::Eyepoint away = eyeAt({1e6f, 0.0f, 0.0f});
     shared::Eyepoint limited = away;
     limited.cullMask = shared::cullDistance;
     limited.drawDistance = 500.0f;
-    choice.find({&limited, 1}, {}, eye.lodThreshold, again);
+    choice.find({&limited, 1}, again);
     EXPECT_TRUE(again.empty());
 }
 
