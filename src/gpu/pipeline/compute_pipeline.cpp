@@ -18,10 +18,11 @@ ComputePipeline::ComputePipeline(const DeviceContext& context, const ShaderLibra
     key.add(VK_PIPELINE_BIND_POINT_COMPUTE)
         .add(std::span(settings.setLayouts))
         .add(settings.pushConstantBytes)
+        .add(settings.isExact)
         .add(std::span<const SpecializationConstant>(settings.constants));
     shaders.addTo(key, settings.shader);
     pipeline_ = madeOnce<Pipeline>(context, key, [&](const DeviceContext& owner) {
-        const ShaderModule module = shaders.module(owner, settings.shader);
+        const ShaderModule module = shaders.module(owner, settings.shader, settings.isExact);
         const Specialization specialization(settings.constants);
 
         VkComputePipelineCreateInfo create{};

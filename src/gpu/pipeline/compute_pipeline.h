@@ -20,6 +20,7 @@ struct ComputePipelineSettings {
     std::uint32_t pushConstantBytes = 0;
     std::vector<VkDescriptorSetLayout> setLayouts{};
     std::vector<SpecializationConstant> constants{};
+    bool isExact = false; ///< its results are the same on every device: see withoutContraction()
 };
 
 class ComputePipeline {

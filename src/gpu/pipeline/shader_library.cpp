@@ -4,10 +4,12 @@
 #include "core/expect.h"
 #include "gpu/context/check.h"
 #include "gpu/context/debug.h"
+#include "gpu/pipeline/exact_arithmetic.h"
 #include "gpu/pipeline/shared_objects.h"
 
 #include <functional>
 #include <string>
+#include <vector>
 
 namespace sward::gpu {
 namespace {
@@ -44,9 +46,14 @@ void ShaderLibrary::addTo(ObjectKey& key, std::string_view name) const
     key.add(text.size()).add(std::hash<std::string_view>{}(text));
 }
 
-ShaderModule ShaderLibrary::module(const DeviceContext& context, std::string_view name) const
+ShaderModule ShaderLibrary::module(const DeviceContext& context, std::string_view name,
+                                   bool isExact) const
 {
-    const std::span<const std::uint32_t> words = code(name);
+    std::span<const std::uint32_t> words = code(name);
+    const std::vector<std::uint32_t> exact =
+        isExact ? withoutContraction(words) : std::vector<std::uint32_t>();
+    if (isExact)
+        words = exact;
     VkShaderModuleCreateInfo create{};
     create.sType = VK_STRUCTURE_TYPE_SHADER_MODULE_CREATE_INFO;
     create.codeSize = words.size_bytes();

@@ -32,7 +32,9 @@ public:
     /// Adds a hash of a module's words. Throws as code() does.
     void addTo(ObjectKey& key, std::string_view name) const;
 
-    ShaderModule module(const DeviceContext& context, std::string_view name) const;
+    /// `isExact`: see withoutContraction().
+    ShaderModule module(const DeviceContext& context, std::string_view name,
+                        bool isExact = false) const;
 
 private:
     std::span<const EmbeddedFile> files_;

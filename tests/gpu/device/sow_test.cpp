@@ -4,6 +4,7 @@
 #include "gpu/memory/readback.h"
 #include "gpu/memory/upload.h"
 #include "gpu/pipeline/compute_pipeline.h"
+#include "gpu/pipeline/exact_arithmetic.h"
 #include "gpu/recording/commands.h"
 #include "shaders/shared/sow/sown_blade.h"
 #include "support/gpu/gpu_fixture.h"
@@ -13,6 +14,7 @@
 
 #include <array>
 #include <cstring>
+#include <set>
 #include <vector>
 
 namespace sward::gpu {
@@ -220,7 +222,10 @@ TEST_F(SowOnDevice, HasTheBytesOfTheCpu)
 {
     const ComputePipeline pipeline(
         context(), test::testShaders(),
-        {.name = "sow", .shader = "sow.comp", .pushConstantBytes = sizeof(SowPush)});
+        {.name = "sow",
+         .shader = "sow.comp",
+         .pushConstantBytes = sizeof(SowPush),
+         .isExact = true});
     for (std::uint32_t number = 0; number < sownPieces; ++number) {
         const shared::SeedPiece piece = pieceOf(number);
         const std::vector<shared::PackedBlade> expected = sownOnTheCpu(piece);
@@ -250,6 +255,41 @@ TEST_F(SowOnDevice, HasTheBytesOfTheCpu)
             differ += std::memcmp(&found[i], &expected[i], sizeof found[i]) != 0 ? 1U : 0U;
         EXPECT_EQ(differ, 0U) << "of " << found.size() << ", piece " << number;
     }
+}
+
+// Float operations of a module, and those of them that must not be contracted.
+struct Operations {
+    std::size_t all = 0;
+    std::size_t alone = 0;
+};
+
+Operations operationsOf(std::span<const std::uint32_t> words)
+{
+    std::set<std::uint32_t> alone;
+    Operations found;
+    for (std::size_t at = 5; at < words.size(); at += words[at] >> 16U) {
+        const std::uint32_t opcode = words[at] & 0xffffU;
+        if (opcode == 71 && words[at + 2] == 42) // OpDecorate NoContraction
+            alone.insert(words[at + 1]);
+        // OpFNegate, OpFAdd, OpFSub, OpFMul, OpFDiv, OpVectorTimesScalar, OpDot
+        for (const std::uint32_t one : {127U, 129U, 131U, 133U, 136U, 142U, 148U})
+            if (opcode == one) {
+                ++found.all;
+                found.alone += alone.contains(words[at + 2]) ? 1U : 0U;
+            }
+    }
+    return found;
+}
+
+TEST(ExactArithmetic, RoundsEveryOperationByItself)
+{
+    const auto words = test::testShaders().code("sow.comp");
+    const Operations free = operationsOf(words);
+    EXPECT_GT(free.all, 300U);
+    EXPECT_EQ(free.alone, 0U) << "as it is compiled, a driver may contract";
+    const Operations exact = operationsOf(withoutContraction(words));
+    EXPECT_EQ(exact.all, free.all);
+    EXPECT_EQ(exact.alone, free.all);
 }
 
 } // namespace
