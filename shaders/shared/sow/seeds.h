@@ -90,6 +90,7 @@ struct SowSpecies {
     uint ribbons;   ///< on each stalk
 };
 SHARED_LAYOUT(SowSpecies, 40)
+SHARED_TABLE(SowSpeciesTable, SowSpecies)
 
 /// The meadow.
 struct SowMeadow {
@@ -114,9 +115,9 @@ struct SowMeadow {
     float vertical;      ///< [0, 1] how far blades grow along the ground's up-vector
     float metresPerUnit; ///< 2^−unitBits
     uint reserved;
-    SowSpecies species[8];
+    SowSpeciesTable species; ///< not in here: a shader would copy all of them for each index
 };
-SHARED_LAYOUT(SowMeadow, 416)
+SHARED_LAYOUT(SowMeadow, 104)
 
 /// Up-vector of the ground in a cell.
 struct SowGround {

@@ -61,7 +61,7 @@ SHARED_FN uint sowSpecies(SowMeadow meadow, SeedConditions conditions, ivec3 pla
     for (uint slot = 0u; slot < meadow.speciesCount; ++slot) {
         share[slot] = meadow.isMixed != 0u
                           ? float((conditions.share[slot >> 2u] >> (8u * (slot & 3u))) & 255u)
-                          : meadow.species[slot].share;
+                          : meadow.species.at[slot].share;
         total += share[slot];
     }
     if (meadow.drifts > 0.0f && total > 0.0f) {
@@ -72,8 +72,8 @@ SHARED_FN uint sowSpecies(SowMeadow meadow, SeedConditions conditions, ivec3 pla
             wave[slot] = 0.0f;
             if (share[slot] <= 0.0f)
                 continue;
-            wave[slot] = sowWaveOf(place, slot, meadow.species[slot].ribbons, waves);
-            if (meadow.species[slot].ribbons > 0u)
+            wave[slot] = sowWaveOf(place, slot, meadow.species.at[slot].ribbons, waves);
+            if (meadow.species.at[slot].ribbons > 0u)
                 continue;
             mean += share[slot] * wave[slot];
             blades += share[slot];
@@ -82,7 +82,7 @@ SHARED_FN uint sowSpecies(SowMeadow meadow, SeedConditions conditions, ivec3 pla
             mean = (mean < 0.0f ? -1.0f : 1.0f) * sowDivide(abs(mean), blades);
         float sum = 0.0f;
         for (uint slot = 0u; slot < meadow.speciesCount; ++slot) {
-            const float middle = meadow.species[slot].ribbons > 0u ? 1.0f : mean;
+            const float middle = meadow.species.at[slot].ribbons > 0u ? 1.0f : mean;
             wave[slot] = share[slot] * max(1.0f + meadow.drifts * (wave[slot] - middle), 0.0f);
             sum += wave[slot];
         }
@@ -105,12 +105,12 @@ SHARED_FN uint sowSpecies(SowMeadow meadow, SeedConditions conditions, ivec3 pla
             if (left < 0.0f)
                 break;
         }
-        if (round == 1u || meadow.species[chosen].ribbons > 0u ||
-            sowOwn(own, sowClumpDice) >= meadow.species[0].clumping)
+        if (round == 1u || meadow.species.at[chosen].ribbons > 0u ||
+            sowOwn(own, sowClumpDice) >= meadow.species.at[0].clumping)
             break;
         total = 0.0f;
         for (uint slot = 0u; slot < meadow.speciesCount; ++slot) {
-            if (meadow.species[slot].ribbons > 0u)
+            if (meadow.species.at[slot].ribbons > 0u)
                 share[slot] = 0.0f;
             total += share[slot];
         }
@@ -261,7 +261,7 @@ SHARED_FN SownBlade sowBlade(SowMeadow meadow, SowRoot root, SowClump clump,
     const uint64_t clumpBits = sowHash(clump.key, 0ul);
     SownBlade sown;
     sown.species = sowSpecies(meadow, conditions, root.place, root.own, clumpBits, waves);
-    const SowSpecies species = meadow.species[sown.species];
+    const SowSpecies species = meadow.species.at[sown.species];
 
     // The frame of the decoder, around the decoded up-vector.
     const uint up = sowEncodeUp(root.up);

@@ -5,12 +5,11 @@
 #include <algorithm>
 #include <bit>
 #include <cstdlib>
-#include <limits>
 
 namespace sward::field {
 namespace {
 
-constexpr std::uint32_t none = std::numeric_limits<std::uint32_t>::max();
+constexpr std::uint32_t none = shared::noSeedBits;
 
 // Squares of distances fit into 63 bits: a cell has 2^29 units at most. Centres beyond cannot be
 // within reach of a cell that a bake has written.
@@ -31,7 +30,7 @@ NearClumps::NearClumps(const SeedCell& cell, const shared::SowMeadow& meadow,
     , ground_(ground)
     , waves_(waves)
     , isShared_(std::any_of(
-          meadow.species, meadow.species + meadow.speciesCount,
+          meadow.species.at, meadow.species.at + meadow.speciesCount,
           [](const shared::SowSpecies& one) { return one.facing == shared::sowShared; }))
     , reach_(std::clamp<std::int64_t>(meadow.clumpReach, 1, longestReach))
     , heads_(std::bit_ceil(cell.clumps.size() / 2 + 1), none)
@@ -101,6 +100,21 @@ glm::ivec3 NearClumps::bucketOf(const glm::ivec3& place, glm::ivec3& half) const
         half[axis] = (halves & 1) == 0 ? -1 : 1;
     }
     return bucket;
+}
+
+std::vector<shared::SowCentre> NearClumps::centres() const
+{
+    std::vector<shared::SowCentre> result;
+    result.reserve(centres_.size());
+    for (const Centre& centre : centres_) {
+        const shared::SeedClump& clump = cell_.clumps[centre.clump];
+        result.push_back({.place = {centre.place.x, centre.place.y, centre.place.z},
+                          .next = centre.next,
+                          .key = centre.key,
+                          .piece = clump.piece,
+                          .moisture = clump.moisture});
+    }
+    return result;
 }
 
 shared::SowClump NearClumps::nearest(const glm::ivec3& place, std::uint64_t own) const

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "field/seeds/seeds.h"
-#include "shaders/shared/sow/sown_blade.h"
+#include "shaders/shared/sow/sow_pass.h"
 
 #include <glm/vec3.hpp>
 
@@ -9,6 +9,7 @@
 #include <cstdint>
 #include <memory>
 #include <mutex>
+#include <span>
 #include <vector>
 
 namespace sward::field {
@@ -26,6 +27,11 @@ public:
     /// The clump nearest to a place of the cell, of equally near ones that of the lowest key. With
     /// none within reach, one of the candidate `own` alone.
     shared::SowClump nearest(const glm::ivec3& place, std::uint64_t own) const;
+
+    /// The same tables for a device: centres, and the first of each list of centres whose buckets
+    /// have the same hash.
+    std::vector<shared::SowCentre> centres() const;
+    std::span<const std::uint32_t> heads() const { return heads_; }
 
 private:
     struct Centre {

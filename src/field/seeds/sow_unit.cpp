@@ -160,6 +160,7 @@ GrownUnit growUnit(const Sower& sower, std::span<const Species> species, const U
         all.finish(result.whole);
     result.whole.parent = shared::noPatch;
     result.whole.firstChild = shared::noPatch;
+    result.bladeCount = static_cast<std::uint32_t>(sown.blades.size());
     result.blades = std::move(sown.blades);
     result.keys = std::move(sown.keys);
     return result;

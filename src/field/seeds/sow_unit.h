@@ -16,8 +16,8 @@
 
 namespace sward::field {
 
-/// Side of the finest units in a 32 m cell: 1/8 of that.
-constexpr std::uint32_t finestUnits = 3;
+/// Side of the finest units in a 32 m cell: 1/16 of that.
+constexpr std::uint32_t finestUnits = 4;
 
 /// What is sown at once: half of the ranks of one level (shared::sowLevel()) in a cube of 32 m /
 /// 2^n, with n three less than the level and at most finestUnits: about as many blades at each
@@ -48,8 +48,8 @@ public:
     /// Whether something may bear in a unit of this cell.
     bool bears(const SowUnit& unit) const;
 
-    /// The finest cubes in which something may bear: x + 8 y + 64 z.
-    using Cubes = std::bitset<512>;
+    /// The finest cubes in which something may bear: x + 16 y + 256 z.
+    using Cubes = std::bitset<std::size_t(1) << (3 * finestUnits)>;
     const Cubes& cubes() const { return cubes_; }
 
     const SeedCell& seeds() const { return seeds_; }
@@ -67,14 +67,19 @@ UnitCell::Cubes cubesOf(const SeedCell& cell, std::uint32_t unitBits);
 /// Whether something may bear in a unit of a cell with these cubes.
 bool bears(const UnitCell::Cubes& cubes, const SowUnit& unit);
 
-/// The blades of a unit. Each patch has bounds, a cone and ranks of its own, and no relatives.
-struct GrownUnit {
+/// The patches of a unit. Each has bounds, a cone and ranks of its own, and no relatives.
+struct UnitPatches {
     SowUnit unit;
     std::vector<shared::Patch> patches; ///< firstBlade counts from this unit's first blade
-    UninitializedVector<shared::PackedBlade> blades;
-    UninitializedVector<BladeKey> keys; ///< one a blade
+    std::uint32_t bladeCount = 0;       ///< of all
     shared::Patch whole = {};           ///< bounds and cone of all, without blades
     float widest = 0.0f;                ///< [m] full width of the widest blade
+};
+
+/// The blades of a unit.
+struct GrownUnit : UnitPatches {
+    UninitializedVector<shared::PackedBlade> blades; ///< patch by patch
+    UninitializedVector<BladeKey> keys;              ///< one a blade
 };
 
 /// Grows a unit of a cell. The result depends on meadow, cell and unit alone. Thread-safe.

@@ -202,16 +202,18 @@ Sower::Sower(const SeedMeadow& meadow, std::span<const Species> species, glm::dv
     meadow_.room = meadow.highest;
     meadow_.heightsPerMetre = 255.0f / meadow.highest;
     meadow_.widthsPerMetre = 63.0f / meadow.widest;
-    std::copy(meadow.species.begin(), meadow.species.end(), meadow_.species);
+    species_ = meadow.species;
+    meadow_.species.at = species_.data();
     for (std::size_t slot = 0; slot < meadow.species.size(); ++slot) {
-        std::vector<Ribbon>& ribbons = ribbons_.emplace_back();
+        std::vector<shared::SowRibbon>& ribbons = ribbons_.emplace_back();
         for (const Organ& organ : species[slot].organs)
             for (std::uint32_t i = 0; i < organ.count; ++i) {
                 const float along = organ.count > 1 ? float(i) / float(organ.count - 1) : 0.0f;
                 ribbons.push_back(
-                    {organ.length.x * (1.0f - along) + organ.length.y * along, organ.width});
+                    {organ.length.x * (1.0f - along) + organ.length.y * along, organ.width,
+                     std::max(organ.length.x, organ.length.y) * (1.0f + 0.3f * organ.variation)});
             }
-        meadow_.species[slot].ribbons = static_cast<std::uint32_t>(ribbons.size());
+        species_[slot].ribbons = static_cast<std::uint32_t>(ribbons.size());
     }
 }
 
@@ -230,7 +232,7 @@ std::vector<shared::SowWave> Sower::wavesAt(const std::array<std::int32_t, 3>& c
     for (std::uint64_t number = 0; number < std::size(wideLengths); ++number)
         add(wideLengths[number], wideSalt, number);
     for (std::uint64_t slot = 0; slot < meadow_.speciesCount; ++slot) {
-        const bool isPlant = meadow_.species[slot].ribbons > 0;
+        const bool isPlant = species_[slot].ribbons > 0;
         add(isPlant ? colonyLengths : driftLengths, waveSalt,
             (isPlant ? firstColony : firstDrift) + slot);
         add(standLengths, waveSalt, firstStand + slot);
@@ -346,7 +348,7 @@ SownCell Sower::sow(const SeedCell& cell, const CellSurroundings& around,
         const shared::SownBlade stalk =
             shared::sowBlade(meadow_, root, around.clumps.nearest(root.place, root.own),
                              conditionsAt(cell, piece, point), waves, tones);
-        const std::vector<Ribbon>& ribbons = ribbons_[stalk.species];
+        const std::vector<shared::SowRibbon>& ribbons = ribbons_[stalk.species];
 
         // Another patch, or a full one.
         if (result.patches.empty() || one.patch != current ||
@@ -368,7 +370,7 @@ SownCell Sower::sow(const SeedCell& cell, const CellSurroundings& around,
         result.keys.push_back(key);
         for (std::uint32_t i = 0; i < ribbons.size(); ++i) {
             result.blades.push_back(
-                shared::sowRibbon(meadow_, stalk, i + 1, ribbons[i].length, ribbons[i].width));
+                shared::sowRibbon(meadow_, stalk, i + 1, ribbons[i].height, ribbons[i].width));
             result.keys.push_back(ribbonKey(key, i + 1));
         }
     }

@@ -79,6 +79,8 @@ class Sower {
 public:
     /// `meadow` and `species` must outlive it. `origin` is that of the field.
     Sower(const SeedMeadow& meadow, std::span<const Species> species, glm::dvec3 origin);
+    Sower(const Sower&) = delete; // its meadow refers to its species
+    Sower& operator=(const Sower&) = delete;
 
     SownCell sow(const SeedCell& cell, const SowRegion& region) const;
 
@@ -89,8 +91,9 @@ public:
     /// The patch by which the blades of a sown patch are unpacked; nothing else is filled in.
     shared::Patch unpackingOf(const SownCell& cell, const SownPatch& patch) const;
 
-    /// As the shaders read it.
+    /// As the shaders read it, but for the place of the species.
     const shared::SowMeadow& meadow() const { return meadow_; }
+    std::span<const shared::SowSpecies> species() const { return species_; }
 
     /// Lattices of the slow waves at a cell, as shared::SowWaves.
     std::vector<shared::SowWave> wavesAt(const std::array<std::int32_t, 3>& cell) const;
@@ -101,23 +104,23 @@ public:
     /// As shared::SowTones.
     std::span<const std::uint32_t> tones() const { return tones_; }
 
+    /// Ribbons on a stalk of each species, in order.
+    std::span<const std::vector<shared::SowRibbon>> ribbons() const { return ribbons_; }
+
 private:
     struct Ranked;
-    struct Ribbon {
-        float length; ///< in heights of the stalk
-        float width;  ///< in lengths
-    };
 
     std::vector<Ranked> candidatesOf(const SeedCell& cell, const CellSurroundings& around,
                                      const SowRegion& region) const;
 
     shared::SowMeadow meadow_ = {};
+    std::vector<shared::SowSpecies> species_;
     double scale_;
     glm::dvec3 origin_;
     glm::dvec3 up_; ///< as SeedMeadow::up
     bool isRadial_;
     std::vector<std::uint32_t> tones_;
-    std::vector<std::vector<Ribbon>> ribbons_; ///< of each species, in order
+    std::vector<std::vector<shared::SowRibbon>> ribbons_; ///< of each species, in order
 };
 
 } // namespace sward::field

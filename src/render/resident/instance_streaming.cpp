@@ -35,7 +35,7 @@ void InstanceStreaming::record(const gpu::Recording& commands, std::uint32_t slo
         if (field->streaming)
             field->streaming->choose(seen_, slot);
         else
-            field->sowing->choose(seen_);
+            field->sowing->choose(seen_, slot);
 
         std::size_t first = 0;
         for (PlacedField* const instance : instances) {

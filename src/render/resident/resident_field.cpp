@@ -5,7 +5,7 @@
 #include "gpu/pipeline/shader_library.h"
 #include "render/field/edited_field.h"
 #include "render/resident/resident_parts.h"
-#include "render/sowing/sown_tables.h"
+#include "render/sowing/sown_memory.h"
 #include "render/sowing/sown_view.h"
 #include "render/streaming/page_budget.h"
 #include "shaders/shared/pages.h"
@@ -105,12 +105,13 @@ DeviceField sownField(const gpu::DeviceContext& context, gpu::BufferUpload& uplo
     const std::uint64_t most = (budget.bytes > 0 ? budget.bytes : context.deviceLocalBytes()) / 2;
     const std::uint64_t bytes = std::min(budget.sownBytes, most);
     DeviceField::Settings settings{.framesInFlight = budget.framesInFlight};
+    const SownMemory memory = SownMemory::of(bytes, bytesOfPlace(budget), budget.framesInFlight,
+                                             budget.sowsOnDevice, context.isCpu());
     settings.sown = std::make_unique<SownTables>(
-        field,
-        SownTables::Room::of(bytes / (bytesOfPlace(budget) + SownTables::Room::bytesOfPatches)),
-        context.isCpu() ? shared::walkStart : shared::walkStartOfGpu);
+        field, memory.room, context.isCpu() ? shared::walkStart : shared::walkStartOfGpu);
     const std::uint64_t needed =
-        cover.bytes() + bytesWith(field, budget, settings.sown->tables().bladeRoom);
+        cover.bytes() + bytesWith(field, budget, settings.sown->tables().bladeRoom) +
+        (memory.device ? memory.device->deviceBytes() : 0);
     if (budget.bytes > 0 && needed > budget.bytes)
         fail(ErrorKind::runtime,
              "the field's {} stored blades, and room for those that it sows, need {} MiB; "
@@ -118,7 +119,8 @@ DeviceField sownField(const gpu::DeviceContext& context, gpu::BufferUpload& uplo
              field.blades.size(), (needed >> 20) + 1, budget.bytes >> 20);
     settings.sowing = {.framesInFlight = budget.framesInFlight,
                        .threads = budget.sowThreads,
-                       .waits = budget.waitsForDisk};
+                       .waits = budget.waitsForDisk,
+                       .device = memory.device};
     return {context,          gpu::ShaderLibrary(embedded::shaders()),
             upload,           field,
             std::move(cover), std::move(settings)};

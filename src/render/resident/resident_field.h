@@ -8,6 +8,7 @@
 
 #include <cstdint>
 #include <memory>
+#include <optional>
 
 namespace sward::field {
 struct Defaults;
@@ -35,8 +36,8 @@ struct FieldBudget {
     /// For the blades that a field with seeds sows near the views (decision 0045); 0: none. At most
     /// half of `bytes`, if these are limited.
     std::uint64_t sownBytes = std::uint64_t(512) << 20;
-    std::uint32_t sowThreads =
-        1; ///< threads of the field that grow them; 0: frames grow a unit each
+    std::uint32_t sowThreads = 1; ///< of the field: unpack seeds, grow blades; 0: frames do
+    std::optional<bool> sowsOnDevice{}; ///< shaders grow the blades; none: unless it is a CPU
 };
 
 /// A field's blades on a device, shared by all instances. The host's command buffers upload it, at

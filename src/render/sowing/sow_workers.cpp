@@ -105,11 +105,17 @@ SowWorkers::Result SowWorkers::done(const Job& job)
 {
     if (!job.unit) {
         const field::SeedCell cell = field::readSeedCell(*seeds_, job.cell, "the field's seeds");
-        return {
-            .cell = cell.cell, .cubes = field::cubesOf(cell, sower_.meadow().unitBits), .unit = {}};
+        return {.cell = cell.cell,
+                .cubes = field::cubesOf(cell, sower_.meadow().unitBits),
+                .unit = {},
+                .order = {}};
     }
-    const std::shared_ptr<const field::UnitCell> cell = cellAt(job.cell);
-    Result result{.cell = cell->seeds().cell, .cubes = cell->cubes(), .unit = {}};
+    std::shared_ptr<const field::UnitCell> cell = cellAt(job.cell);
+    Result result{.cell = cell->seeds().cell, .cubes = cell->cubes(), .unit = {}, .order = {}};
+    if (job.isForDevice) {
+        result.order = orderOf(sower_, job.cell, std::move(cell), *job.unit);
+        return result;
+    }
     result.unit = field::growUnit(sower_, species_, *cell, *job.unit);
     result.unit->keys = {};
     return result;

@@ -4,6 +4,7 @@
 #include "field/seeds/seeds.h"
 #include "field/seeds/sow_unit.h"
 #include "field/seeds/sower.h"
+#include "render/sowing/unit_order.h"
 
 #include <array>
 #include <condition_variable>
@@ -35,6 +36,7 @@ public:
     struct Job {
         std::size_t cell = 0; ///< of SeedsView::cells
         std::optional<field::SowUnit> unit;
+        bool isForDevice = false; ///< the unit's order is wanted, not its blades
     };
 
     /// What a job gave.
@@ -42,6 +44,7 @@ public:
         std::array<std::int32_t, 3> cell{};
         field::UnitCell::Cubes cubes; ///< of the cell
         std::optional<field::GrownUnit> unit;
+        std::optional<UnitOrder> order;
     };
 
     /// Replaces the jobs that no thread has begun, and does those first that come first.

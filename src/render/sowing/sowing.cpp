@@ -1,6 +1,7 @@
 #include "render/sowing/sowing.h"
 
 #include "core/expect.h"
+#include "core/stopwatch.h"
 #include "render/streaming/thinning.h"
 #include "shaders/shared/pages.h"
 #include "shaders/shared/visibility.h"
@@ -28,6 +29,9 @@ constexpr float ignoredStep = 0.2f;
 /// Jobs that wait at once: enough for all threads until the next frame.
 constexpr std::size_t maxJobs = 256;
 
+/// What a frame without threads takes for orders [s], and a cell more.
+constexpr double ownSeconds = 0.5e-3;
+
 } // namespace
 
 double bladesPerArea(const field::SeedMeadow& meadow)
@@ -49,13 +53,17 @@ Sowing::Sowing(const gpu::DeviceContext& context, const gpu::ShaderLibrary& shad
     , choice_(*field.seeds)
     , workers_(field, settings.threads)
     , staged_(context, shaders, settings.framesInFlight)
+    , device_(settings.device && !settings.waits
+                  ? std::make_unique<DeviceSower>(context, shaders, workers_.sower(),
+                                                  *settings.device)
+                  : nullptr)
     , allBlades_(static_cast<std::uint64_t>(double(field.blades.size()) /
                                             std::max(field.seeds->meadow->stored, 1e-12)))
     , nearestMissing_(std::numeric_limits<float>::infinity())
 {
 }
 
-void Sowing::choose(std::span<shared::Eyepoint> seen)
+void Sowing::choose(std::span<shared::Eyepoint> seen, std::uint32_t slot)
 {
     expect(!seen.empty(), "a frame has views");
     const float threshold = seen.front().lodThreshold;
@@ -67,6 +75,7 @@ void Sowing::choose(std::span<shared::Eyepoint> seen)
 
     const bool hadMore = copied_ > 0;
     copied_ = 0;
+    const bool hasLanded = takeBatch(slot);
     if (settings_.waits) {
         for (bool isDone = false; !isDone;) {
             takeResults();
@@ -75,17 +84,26 @@ void Sowing::choose(std::span<shared::Eyepoint> seen)
             if (!isDone)
                 workers_.finish();
         }
-    } else if (takeResults() || hadMore || haveMoved()) {
+    } else if (takeResults() || hasLanded || hadMore || haveMoved()) {
         bring(seen.size());
     }
-    if (settings_.threads == 0 && !settings_.waits)
-        workers_.run();
+    landed_.clear();
+    if (device_)
+        order();
+    if (settings_.threads == 0 && !settings_.waits) {
+        // Orders of a known cell take some microseconds.
+        double seconds = 0.0;
+        for (Stopwatch watch; seconds < ownSeconds && workers_.run();)
+            seconds = device_ ? seconds + watch.lap() : ownSeconds;
+    }
 
     const float wanted = std::clamp(missingScore_, 1.0f, maxThinning);
     thinning_ = nextThinning(settings_.waits ? 0.0f : thinning_, wanted);
     if (threshold > 0.0f)
         setThreshold(seen, threshold * thinning_);
-    isSettled_ = copied_ == 0 && (missing_ == 0 || isFull_) && thinning_ == wanted;
+    const bool isEnough = device_ && !hasAsked_ && orders_.empty() && growing_.empty();
+    isSettled_ =
+        copied_ == 0 && (missing_ == 0 || isFull_ || isEnough) && thinning_ == wanted;
 }
 
 /// Whether an eye has moved so far since the last choice that it may want other units.
@@ -129,6 +147,8 @@ bool Sowing::takeResults()
     std::vector<SowWorkers::Result> results = workers_.take();
     for (SowWorkers::Result& result : results) {
         choice_.know(result.cell, result.cubes);
+        if (result.order)
+            orders_[result.order->unit] = std::move(*result.order);
         if (!result.unit)
             continue;
         const field::SowUnit unit = result.unit->unit;
@@ -138,6 +158,83 @@ bool Sowing::takeResults()
             ready_[unit] = std::move(*result.unit);
     }
     return !results.empty();
+}
+
+/// Takes what the device has grown in the batch of a slot, and begins the next one. Returns false if
+/// there was nothing.
+bool Sowing::takeBatch(std::uint32_t slot)
+{
+    if (!device_)
+        return false;
+    DeviceSower::Finished finished = device_->finish(slot);
+    device_->begin(slot);
+    for (DeviceSower::Grown& one : finished.grown) {
+        const field::SowUnit unit = one.unit.unit;
+        growing_.erase(unit);
+        if (one.unit.patches.empty())
+            present_[unit] = {};
+        else
+            landed_[unit] = std::move(one);
+    }
+    for (const field::SowUnit& unit : finished.refused) {
+        growing_.erase(unit);
+        refused_.insert(unit);
+    }
+    return !finished.grown.empty() || !finished.refused.empty();
+}
+
+/// Orders units from the device, the most wanted first.
+void Sowing::order()
+{
+    if (isFull_) {
+        orders_.clear();
+        return;
+    }
+    for (const SowChoice::Wanted& one : wanted_) {
+        if (orders_.empty())
+            return;
+        const auto found = one.isCell ? orders_.end() : orders_.find(one.unit);
+        if (found == orders_.end())
+            continue;
+        const DeviceSower::Added added = device_->add(found->second);
+        if (added == DeviceSower::Added::later)
+            return;
+        (added == DeviceSower::Added::yes ? growing_ : refused_).insert(one.unit);
+        orders_.erase(found);
+    }
+    // What is left is not wanted any more.
+    orders_.clear();
+}
+
+/// Whether a unit is there, or on its way.
+bool Sowing::isKnown(const field::SowUnit& unit) const
+{
+    return present_.contains(unit) || ready_.contains(unit) || orders_.contains(unit) ||
+           growing_.contains(unit) || landed_.contains(unit);
+}
+
+/// The score up to which a unit would not get a place.
+float Sowing::replaceable() const
+{
+    constexpr std::uint32_t enough = 1U << 17U;
+    const FieldTables tables = tables_->tables();
+    if (tables.bladeRoom - tables.bladeCount > enough)
+        return 0.0f;
+    float least = std::numeric_limits<float>::infinity();
+    for (const auto& [unit, present] : present_)
+        if (present.place.bladeCount > 0)
+            least = std::min(least, present.score);
+    return least * replacing;
+}
+
+/// A place for a unit, for which others may have to go.
+std::optional<SownTables::Place> Sowing::placeFor(const field::UnitPatches& unit, float score,
+                                                  Edit& edit)
+{
+    std::optional<SownTables::Place> place = tables_->add(unit, edit);
+    while (!place && makeRoom(score, edit))
+        place = tables_->add(unit, edit);
+    return place;
 }
 
 /// Puts grown units into the tables, the most wanted first. While a frame waits, a unit comes after
@@ -151,21 +248,28 @@ void Sowing::takeIn(Edit& edit)
     for (const SowChoice::Wanted& one : wanted_) {
         if (!one.isCell && present_.contains(one.unit))
             continue;
+        const auto landed = one.isCell ? landed_.end() : landed_.find(one.unit);
         const auto grown = one.isCell ? ready_.end() : ready_.find(one.unit);
         ++missing_;
         isInOrder = isInOrder && grown != ready_.end();
-        if (grown == ready_.end() || (settings_.waits && !isInOrder) || copied_ >= most || isFull_)
+        if (isFull_ || (landed == landed_.end() &&
+                        (grown == ready_.end() || (settings_.waits && !isInOrder) || copied_ >= most)))
             continue;
-        std::optional<SownTables::Place> place = tables_->add(grown->second, edit);
-        while (!place && makeRoom(one.score, edit))
-            place = tables_->add(grown->second, edit);
+        const bool hasLanded = landed != landed_.end();
+        const field::UnitPatches& unit = hasLanded ? landed->second.unit : grown->second;
+        const std::optional<SownTables::Place> place = placeFor(unit, one.score, edit);
         if (!place) {
             isFull_ = true;
             continue;
         }
         --missing_;
         present_[one.unit] = {*place, one.score};
-        copied_ += grown->second.blades.size() * sizeof(shared::PackedBlade);
+        if (hasLanded) {
+            device_->place(landed->second, place->blades.first);
+        } else {
+            edit.blades.push_back({place->blades.first, grown->second.blades});
+            copied_ += grown->second.blades.size() * sizeof(shared::PackedBlade);
+        }
     }
     // Forgets grown units that no eye wants any more.
     if (ready_.size() > 2 * maxJobs)
@@ -195,14 +299,17 @@ bool Sowing::makeRoom(float score, Edit& edit)
 void Sowing::ask()
 {
     std::vector<SowWorkers::Job> jobs;
+    const float enough = device_ ? replaceable() : 0.0f;
     for (const SowChoice::Wanted& one : wanted_) {
-        if (jobs.size() >= maxJobs || isFull_)
+        if (jobs.size() >= maxJobs || isFull_ || one.score <= enough)
             break;
         if (one.isCell)
             jobs.push_back({choice_.indexOf(one.unit.cell), std::nullopt});
-        else if (!present_.contains(one.unit) && !ready_.contains(one.unit))
-            jobs.push_back({choice_.indexOf(one.unit.cell), one.unit});
+        else if (!isKnown(one.unit))
+            jobs.push_back({choice_.indexOf(one.unit.cell), one.unit,
+                            device_ != nullptr && !refused_.contains(one.unit)});
     }
+    hasAsked_ = !jobs.empty();
     workers_.want(std::move(jobs));
 }
 
@@ -240,6 +347,8 @@ void Sowing::record(const gpu::Recording& commands, const BakedBlades& baked,
                     std::uint32_t slot)
 {
     staged_.record(commands, baked, states, settledAt, slot);
+    if (device_)
+        device_->record(commands, baked.blades());
 }
 
 std::uint64_t Sowing::residentBlades() const

@@ -8,9 +8,11 @@
 #include "render/field/baked_blades.h"
 #include "render/field/blade_states.h"
 #include "render/frame/frame_stats.h"
+#include "render/sowing/device_sower.h"
 #include "render/sowing/sow_choice.h"
 #include "render/sowing/sow_workers.h"
 #include "render/sowing/sown_tables.h"
+#include "render/sowing/unit_order.h"
 #include "render/streaming/eye_motion.h"
 #include "shaders/shared/eyepoint.h"
 
@@ -19,21 +21,23 @@
 #include <cstdint>
 #include <map>
 #include <memory>
+#include <optional>
+#include <set>
 #include <span>
 #include <vector>
 
 namespace sward::render {
 
 /// Sows the blades near the eyes into device memory (decision 0045): units that eyes want are grown
-/// on the CPU, and a bounded number of bytes comes per frame. Units that are wanted less make room.
-/// Several placed fields may share the blades, each with its own states.
+/// by the device or on the CPU, a bounded number in each frame. Units that are wanted less make
+/// room. Several placed fields may share the blades, each with its own states.
 class Sowing {
 public:
     struct Settings {
         std::uint32_t framesInFlight = 1;
-        std::uint32_t threads = 0; ///< that grow units; 0: choose() grows one
-        bool waits =
-            false; ///< choose() waits until all that is wanted is there, or no room is left
+        std::uint32_t threads = 0; ///< that unpack cells and grow units; 0: choose() does some
+        bool waits = false; ///< choose() waits until all that is wanted is there, or no room is left
+        std::optional<DeviceSower::Settings> device{}; ///< none: the CPU grows all, as if it waits
     };
 
     /// The data viewed by `field` must outlive it.
@@ -45,8 +49,9 @@ public:
 
     /// Chooses arriving and leaving units for the frame recorded next. `seen`: the eyepoints for
     /// culling, at least one, of equal lodThreshold, which is raised to match what is there. Must
-    /// be followed by record(). Throws Error{input} if the field's seeds are damaged.
-    void choose(std::span<shared::Eyepoint> seen);
+    /// be followed by record() for the same slot, whose former commands must have completed. Throws
+    /// Error{input} if the field's seeds are damaged.
+    void choose(std::span<shared::Eyepoint> seen, std::uint32_t slot);
 
     /// Records the changes: see StagedEdits::record().
     void record(const gpu::Recording& commands, const BakedBlades& baked,
@@ -66,7 +71,8 @@ public:
     /// Units in place of pages.
     StreamingStats stats() const;
 
-    VkDeviceSize bytes() const { return staged_.bytes(); } ///< of mapped memory
+    /// Bytes of mapped memory, and of the device's to sow with.
+    VkDeviceSize bytes() const { return staged_.bytes() + (device_ ? device_->bytes() : 0); }
 
 private:
     struct Present {
@@ -74,6 +80,12 @@ private:
         float score = 0.0f;
     };
     bool takeResults();
+    bool takeBatch(std::uint32_t slot);
+    void order();
+    bool isKnown(const field::SowUnit& unit) const;
+    float replaceable() const;
+    std::optional<SownTables::Place> placeFor(const field::UnitPatches& unit, float score,
+                                              Edit& edit);
     bool haveMoved() const;
     void bring(std::size_t views);
     void ask();
@@ -87,10 +99,15 @@ private:
     SowChoice choice_;
     SowWorkers workers_;
     StagedEdits staged_;
+    std::unique_ptr<DeviceSower> device_; ///< if it grows units
     EyeMotion motion_;
     std::vector<SowChoice::Wanted> wanted_;
     std::map<field::SowUnit, Present> present_;
-    std::map<field::SowUnit, field::GrownUnit> ready_; ///< grown, and not in memory yet
+    std::map<field::SowUnit, field::GrownUnit> ready_;    ///< grown, and not in memory yet
+    std::map<field::SowUnit, UnitOrder> orders_;          ///< for the device
+    std::set<field::SowUnit> growing_;                    ///< in batches that are not done
+    std::map<field::SowUnit, DeviceSower::Grown> landed_; ///< of the batch that has just been done
+    std::set<field::SowUnit> refused_;                    ///< the CPU has to grow them
     std::uint64_t allBlades_;
     std::uint64_t copied_ = 0;             ///< bytes, in the last frame
     float nearestMissing_ = 0.0f;          ///< [m]
@@ -100,6 +117,7 @@ private:
     std::vector<shared::Eyepoint> looked_; ///< the same of the last choice
     float thinning_ = 0.0f;                ///< 0: before the first frame
     bool isFull_ = false;
+    bool hasAsked_ = false; ///< in the last choice
     bool isSettled_ = false;
 };
 

@@ -134,13 +134,13 @@ FieldTables SownTables::tables() const
             .maxWalkSteps = walkSteps_};
 }
 
-std::optional<SownTables::Place> SownTables::add(const field::GrownUnit& unit, Edit& edit)
+std::optional<SownTables::Place> SownTables::add(const field::UnitPatches& unit, Edit& edit)
 {
     expect(!unit.patches.empty(), "a unit with blades");
     if (freeRoots_.empty())
         return std::nullopt;
     const auto count = static_cast<std::uint32_t>(unit.patches.size());
-    const std::optional<PlaceRange> strides = freeStrides_.take(sownStrides(unit.blades.size()));
+    const std::optional<PlaceRange> strides = freeStrides_.take(sownStrides(unit.bladeCount));
     if (!strides)
         return std::nullopt;
     const std::optional<PlaceRange> patches = freePatches_.take(count);
@@ -161,7 +161,7 @@ std::optional<SownTables::Place> SownTables::add(const field::GrownUnit& unit, E
     place.patches = *patches;
     place.entries = *entries;
     place.blades = {strides->first * placesTogether, strides->count * placesTogether};
-    place.bladeCount = static_cast<std::uint32_t>(unit.blades.size());
+    place.bladeCount = unit.bladeCount;
 
     shared::Subtree all{.blades = place.bladeCount, .widest = unit.widest, .rankBelow = 1.0f};
     for (std::uint32_t i = 0; i < count; ++i) {
@@ -197,7 +197,6 @@ std::optional<SownTables::Place> SownTables::add(const field::GrownUnit& unit, E
     edit.patches.push_back(*patches);
     edit.entries.push_back(*entries);
     edit.firstEntries.push_back(*strides);
-    edit.blades.push_back({place.blades.first, unit.blades});
     return place;
 }
 

@@ -48,9 +48,9 @@ public:
         std::uint32_t bladeCount = 0; ///< blades of the unit
     };
 
-    /// Adds a unit with blades; none if there is no room. `edit` gets the changes and views the
-    /// unit's blades.
-    std::optional<Place> add(const field::GrownUnit& unit, Edit& edit);
+    /// Adds a unit with blades; none if there is no room. `edit` gets the changes of all but the
+    /// blades, whose place the caller fills.
+    std::optional<Place> add(const field::UnitPatches& unit, Edit& edit);
     void remove(const Place& place, Edit& edit);
 
     std::uint32_t sownBlades() const { return sownBlades_; }

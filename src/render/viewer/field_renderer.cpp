@@ -8,6 +8,7 @@
 #include "render/frame/frame.h"
 #include "render/frame/frame_time.h"
 #include "render/frame/shadow_box.h"
+#include "render/sowing/sown_memory.h"
 #include "render/sowing/sown_view.h"
 #include "render/viewer/blade_dump.h"
 #include "render/viewer/exposure.h"
@@ -176,19 +177,20 @@ std::unique_ptr<DeviceField> FieldRenderer::Parts::sownField(const field::FieldV
     const std::uint64_t most =
         (settings.deviceBytes > 0 ? settings.deviceBytes : context.deviceLocalBytes()) / 2;
     const std::uint64_t bytes = std::min(settings.sownBytes, most);
-    const SownTables::Room room =
-        SownTables::Room::of(bytes / (records.bytesPerBlade(false) +
-                                      SownTables::Room::bytesOfPatches + bytesOfSownList));
+    const SownMemory memory =
+        SownMemory::of(bytes, records.bytesPerBlade(false) + bytesOfSownList,
+                       settings.framesInFlight, settings.sowsOnDevice, context.isCpu());
     requireMemory(context, view, records, {});
-    const std::uint64_t places = view.blades.size() + room.blades;
+    const std::uint64_t places = view.blades.size() + memory.room.blades;
     if (geometry == Geometry::raster)
         expectNumbers(context, places, ground.triangleCount());
     DeviceField::Settings own{
         .sown = std::make_unique<SownTables>(
-            view, room, context.isCpu() ? shared::walkStart : shared::walkStartOfGpu),
+            view, memory.room, context.isCpu() ? shared::walkStart : shared::walkStartOfGpu),
         .sowing = {.framesInFlight = settings.framesInFlight,
                    .threads = settings.sowThreads,
-                   .waits = settings.waitsForDisk},
+                   .waits = settings.waitsForDisk,
+                   .device = memory.device},
         .framesInFlight = settings.framesInFlight,
         .exposure = exposure};
     auto made = std::make_unique<DeviceField>(context, recorder.shaders, uploader, view,

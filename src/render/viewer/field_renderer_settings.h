@@ -51,7 +51,8 @@ struct FieldRendererSettings {
     /// Device memory [bytes] for the blades that a field with seeds sows near the eye, beside what
     /// is stored (decision 0045); 0: they are not sown. Part of `deviceBytes`, if that is set.
     std::uint64_t sownBytes = std::uint64_t(512) << 20;
-    std::uint32_t sowThreads = 1; ///< threads that grow them; 0: frames do, a unit each
+    std::uint32_t sowThreads = 1; ///< threads that unpack seeds and grow blades; 0: frames do
+    std::optional<bool> sowsOnDevice{}; ///< shaders grow the blades; none: unless it is a CPU
 
     /// Whether FieldRenderer::apply() may replace cells of the field, which must have keys. Costs a
     /// copy of patches and keys in CPU memory, and room for more blades.

@@ -30,6 +30,24 @@ struct SowPush {
     VkDeviceAddress meadow, piece, vertices, conditions, waves, words, tones, blades;
 };
 
+std::vector<shared::SowSpecies> sownSpecies()
+{
+    std::vector<shared::SowSpecies> species(3);
+    for (std::uint32_t i = 0; i < species.size(); ++i) {
+        shared::SowSpecies& one = species[i];
+        one.heightLow = 0.2f;
+        one.heightRange = 0.3f;
+        one.widthLow = 0.003f;
+        one.widthRange = 0.011f;
+        one.stiffnessLow = 0.3f;
+        one.stiffnessRange = 0.4f;
+        one.clumping = 0.3f + 0.2f * float(i);
+        one.facing = i; // outward, shared, free
+        one.ribbons = i == 2 ? 5 : 0;
+    }
+    return species;
+}
+
 shared::SowMeadow sownMeadow()
 {
     shared::SowMeadow meadow = {};
@@ -53,18 +71,6 @@ shared::SowMeadow sownMeadow()
     meadow.room = 0.8f;
     meadow.heightsPerMetre = 255.0f / 0.8f;
     meadow.widthsPerMetre = 63.0f / 0.03f;
-    for (std::uint32_t i = 0; i < meadow.speciesCount; ++i) {
-        shared::SowSpecies& one = meadow.species[i];
-        one.heightLow = 0.2f;
-        one.heightRange = 0.3f;
-        one.widthLow = 0.003f;
-        one.widthRange = 0.011f;
-        one.stiffnessLow = 0.3f;
-        one.stiffnessRange = 0.4f;
-        one.clumping = 0.3f + 0.2f * float(i);
-        one.facing = i; // outward, shared, free
-        one.ribbons = i == 2 ? 5 : 0;
-    }
     return meadow;
 }
 
@@ -152,7 +158,9 @@ constexpr shared::SowGround sownGround{{3.0f, 2.0f, -1.0f}, 1};
 std::vector<shared::PackedBlade> sownOnTheCpu(const shared::SeedPiece& piece)
 {
     using namespace shared;
-    const SowMeadow meadow = sownMeadow();
+    SowMeadow meadow = sownMeadow();
+    const std::vector<SowSpecies> speciesList = sownSpecies();
+    meadow.species.at = speciesList.data();
     const std::vector<SeedVertex> vertices = cornersOfPieces();
     const std::vector<SeedConditions> conditions = anyConditions();
     const std::vector<SowWave> waveList = anyWaves();
@@ -230,7 +238,10 @@ TEST_F(SowOnDevice, HasTheBytesOfTheCpu)
         const shared::SeedPiece piece = pieceOf(number);
         const std::vector<shared::PackedBlade> expected = sownOnTheCpu(piece);
         Uploader uploader(context());
-        const Buffer meadow = bufferOf(context(), uploader, std::vector{sownMeadow()});
+        const Buffer species = bufferOf(context(), uploader, sownSpecies());
+        shared::SowMeadow onDevice = sownMeadow();
+        onDevice.species.address = species.address();
+        const Buffer meadow = bufferOf(context(), uploader, std::vector{onDevice});
         const Buffer pieces = bufferOf(context(), uploader, std::vector{piece});
         const Buffer vertices = bufferOf(context(), uploader, cornersOfPieces());
         const Buffer conditions = bufferOf(context(), uploader, anyConditions());

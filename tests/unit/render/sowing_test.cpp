@@ -39,6 +39,7 @@ field::GrownUnit grownUnit(std::uint64_t number, std::uint32_t patches)
         }
         unit.patches.push_back(patch);
     }
+    unit.bladeCount = static_cast<std::uint32_t>(unit.blades.size());
     return unit;
 }
 
@@ -136,10 +137,12 @@ TEST(SownTables, AWalkReachesWhatIsThereAndNothingElse)
         const std::uint64_t other = (number + 17) % 40;
         if (!there.contains(other)) {
             units[other] = grownUnit(other, 1 + static_cast<std::uint32_t>(other) % 25);
-            if (const auto place = tables.add(units[other], edit))
+            if (const auto place = tables.add(units[other], edit)) {
+                edit.blades.push_back({place->blades.first, units[other].blades});
                 there[other] = *place;
-            else
+            } else {
                 ++refused;
+            }
         }
         device.follow(edit, tables.tables());
         std::size_t expected = stored.blades.size();

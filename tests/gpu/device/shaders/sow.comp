@@ -27,7 +27,7 @@ layout(push_constant, scalar) uniform Push
 void main()
 {
     const uint j = gl_GlobalInvocationID.x;
-    const SowMeadow meadow = push.meadow.at[0];
+    SowMeadow meadow = push.meadow.at[0];
     const SeedPiece piece = push.piece.at[0];
     if (j >= piece.count)
         return;

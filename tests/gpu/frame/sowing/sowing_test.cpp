@@ -148,10 +148,12 @@ TEST_F(SowingTest, ArrivesUnitByUnitAndEndsAtTheSamePicture)
     test::Picture picture(context(), size);
     picture.draw(whole, here(), settings(), 1.0);
     const auto expected = picture.pixels();
-    for (const std::uint32_t threads : {0U, 2U}) {
+    for (const bool onDevice : {false, true}) {
+        const std::uint32_t threads = onDevice ? 1 : 0;
         FieldRenderer::Settings wanted = rasterised();
         wanted.waitsForDisk = false;
         wanted.sowThreads = threads;
+        wanted.sowsOnDevice = onDevice;
         FieldRenderer sown(device(), field::viewOf(meadow().seeded), wanted);
         std::uint64_t before = 0;
         std::size_t differing = 1;
@@ -162,8 +164,8 @@ TEST_F(SowingTest, ArrivesUnitByUnitAndEndsAtTheSamePicture)
             before = sown.stats().resident;
             differing = test::differingPixels(picture.pixels(), expected);
         }
-        EXPECT_EQ(differing, 0U) << threads;
-        EXPECT_GT(frames, 2) << threads;
+        EXPECT_EQ(differing, 0U) << onDevice;
+        EXPECT_GT(frames, 2) << onDevice;
     }
 }
 

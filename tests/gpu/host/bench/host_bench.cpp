@@ -388,7 +388,9 @@ void run(const Options& options)
     }
     if (lawn->isStreamed() || lawn->isSown()) {
         const render::StreamingStats stats = grass.streamingStats();
-        out["streaming"] = {{"pages", stats.pages},
+        out["streaming"] = {{"settled_after_s", started},
+                            {"resident_blades", stats.residentBlades},
+                            {"pages", stats.pages},
                             {"places", stats.places},
                             {"resident_pages", stats.residentPages},
                             {"wanted_pages", stats.wantedPages},
