@@ -31,7 +31,7 @@ SHARED_FN float sparseShare(Eyepoint view, float share, float distance)
     if (view.sparseFrom <= 0.0f || distance <= view.sparseFrom)
         return 1.0f;
     const float nearness = view.sparseFrom / distance;
-    return max(nearness * sqrt(nearness), min(view.sparseLeast / share, 1.0f));
+    return max(nearness * nearness * nearness, min(view.sparseLeast / share, 1.0f));
 }
 
 /// Leaf area of the meadow relative to that of the drawn blades at `distance` [m], of a sown field:

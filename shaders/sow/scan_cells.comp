@@ -2,25 +2,26 @@
 #extension GL_GOOGLE_include_directive : require
 #extension GL_EXT_shader_explicit_arithmetic_types_int64 : require
 // Gives the candidates of each octree cell of a batch their part of the sorted list, and lists the cells that have any.
-// One work-group.
+// A work-group for each unit.
 #include "shaders/sow/batch.glsl"
 
 layout(local_size_x = sowScanThreads) in;
 
+const uint cellsOfThread = sowCells / sowScanThreads;
+
 shared uint sums[sowScanThreads];
 shared uint growing;
+shared uint firstRecord;
+shared uint firstGrowing;
 
 void main()
 {
     SowBatch batch = push.batch.at[0];
     const uint thread = gl_LocalInvocationID.x;
-    const uint count = sowCells * batch.unitCount;
-    const uint each = (count + sowScanThreads - 1u) / sowScanThreads;
-    const uint first = min(thread * each, count);
-    const uint end = min(first + each, count);
+    const uint first = sowCells * gl_WorkGroupID.x + cellsOfThread * thread;
     uint own = 0u;
-    for (uint i = first; i < end; ++i)
-        own += batch.cells.at[i];
+    for (uint i = 0u; i < cellsOfThread; ++i)
+        own += batch.cells.at[first + i];
     sums[thread] = own;
     if (thread == 0u)
         growing = 0u;
@@ -31,20 +32,29 @@ void main()
         sums[thread] += before;
         barrier();
     }
-    uint next = sums[thread] - own;
-    for (uint i = first; i < end; ++i) {
-        const uint here = batch.cells.at[i];
-        batch.ends.at[i] = next;
-        next += here;
-        if (here > 0u)
-            batch.growing.at[atomicAdd(growing, 1u)] = i;
+    uint place[cellsOfThread];
+    for (uint i = 0u; i < cellsOfThread; ++i)
+        if (batch.cells.at[first + i] > 0u)
+            place[i] = atomicAdd(growing, 1u);
+    barrier();
+    // Units come in any order.
+    if (thread == 0u) {
+        firstRecord = atomicAdd(batch.counts.at[0].sorted, sums[sowScanThreads - 1u]);
+        firstGrowing = atomicAdd(batch.counts.at[0].layGroups[0], growing);
     }
     barrier();
-    if (thread == 0u) {
+    uint next = firstRecord + sums[thread] - own;
+    for (uint i = 0u; i < cellsOfThread; ++i) {
+        const uint here = batch.cells.at[first + i];
+        batch.ends.at[first + i] = next;
+        next += here;
+        if (here > 0u)
+            batch.growing.at[firstGrowing + place[i]] = first + i;
+    }
+    if (gl_WorkGroupID.x == 0u && thread == 0u) {
         const uint records = min(batch.counts.at[0].records, batch.maxRecords);
         batch.counts.at[0].sortGroups[0] = (records + sowSortThreads - 1u) / sowSortThreads;
         batch.counts.at[0].growGroups[0] = (records + sowGrowThreads - 1u) / sowGrowThreads;
-        batch.counts.at[0].layGroups[0] = growing;
         for (uint axis = 1u; axis < 3u; ++axis) {
             batch.counts.at[0].sortGroups[axis] = 1u;
             batch.counts.at[0].growGroups[axis] = 1u;

@@ -123,10 +123,11 @@ struct SowCounts {
     uint growGroups[3]; ///< of grow_stalks.comp
     uint layGroups[3];  ///< of lay_patches.comp; x: octree cells with candidates
     uint records;       ///< candidates that grow
+    uint sorted;        ///< the same, as far as cells have got their part of the sorted list
     uint blades;
     uint patches;
 };
-SHARED_LAYOUT(SowCounts, 48)
+SHARED_LAYOUT(SowCounts, 52)
 SHARED_BUFFER(SowCountsArray, SowCounts, )
 SHARED_BUFFER(SowWordArray, uint, )
 SHARED_BUFFER(SowBladeArray, PackedBlade, )

@@ -46,6 +46,8 @@ SHARED_FN float sowWaveOf(ivec3 place, uint slot, uint ribbons, SowWaves waves)
     const float wave = sowSlowWaves(place, waves.at[first], waves.at[first + 1u]);
     if (ribbons == 0u)
         return wave;
+    if (sowInside(wave) <= 0.0f)
+        return 0.0f;
     const float stand = sowSlowWaves(place, waves.at[first + 2u], waves.at[first + 3u]);
     return sowInside(wave) * sowInside(stand);
 }

@@ -182,27 +182,27 @@ shared::Eyepoint testsOf(const FrameSettings& settings)
 float sparseDistance(const FieldShape& field, float full)
 {
     constexpr double twoPi = 6.283185307179586;
-    // Whole units come, with up to twice the ranks that are drawn: half of what is there is drawn.
-    constexpr double units = 2.0;
+    // Whole units come, with up to twice the ranks that are drawn: 1.4 times on the whole.
+    constexpr double units = 1.5;
     const glm::vec3 size = field.content.size();
     const double farthest = glm::length(glm::dvec3(size));
     const double room = field.sown.room / units;
     const double near = full;
     // The integral of 2πr · share(r), up to where only what is stored is drawn. With s the result:
     // share is 1 up to the smaller of both distances; then in proportion to r⁻¹ beyond `near`, to
-    // r^−1.5 beyond s, and to their product beyond both.
+    // r⁻³ beyond s, and to their product beyond both.
     const auto blades = [&](double s) {
-        const double last = std::min(
-            std::pow(near * std::pow(s, 1.5) / std::max(field.sown.stored, 1e-9), 0.4), farthest);
-        const double far = std::max({last, s, near});
-        const double power = 2.0 * std::pow(s, 1.5);
-        const double tail =
-            near * power * (1.0 / std::sqrt(std::max(s, near)) - 1.0 / std::sqrt(far));
-        const double head = s < near ? 0.5 * s * s + power * (std::sqrt(near) - std::sqrt(s))
+        const double cube = s * s * s;
+        const double last =
+            std::min(std::pow(near * cube / std::max(field.sown.stored, 1e-9), 0.25), farthest);
+        const double both = std::max(s, near);
+        const double far = std::max(last, both);
+        const double tail = 0.5 * near * cube * (1.0 / (both * both) - 1.0 / (far * far));
+        const double head = s < near ? 0.5 * s * s + cube * (1.0 / s - 1.0 / near)
                                      : 0.5 * near * near + near * (s - near);
         return twoPi * field.sown.bladesPerArea * (head + tail);
     };
-    double low = 0.0;
+    double low = 1e-3;
     double high = std::max(farthest, near);
     if (blades(high) <= room)
         return 0.0f;
@@ -210,7 +210,7 @@ float sparseDistance(const FieldShape& field, float full)
         const double middle = 0.5 * (low + high);
         (blades(middle) <= room ? low : high) = middle;
     }
-    return static_cast<float>(std::max(low, 1e-3));
+    return static_cast<float>(low);
 }
 
 shared::Frame frameOf(const FieldShape& field, const ViewMatrices& view,

@@ -456,7 +456,9 @@ void DeviceSower::recordBatch(const gpu::Recording& commands, gpu::Timestamps* t
         commands.vk->CmdDispatch(
             commands, std::min(static_cast<std::uint32_t>(runs_.size()), maxGroups), 1, 1);
     });
-    pass("scan", scan_, [&] { commands.vk->CmdDispatch(commands, 1, 1, 1); });
+    pass("scan", scan_, [&] {
+        commands.vk->CmdDispatch(commands, static_cast<std::uint32_t>(units_.size()), 1, 1);
+    });
     pass("sort", sort_, [&] {
         commands.vk->CmdDispatchIndirect(commands, scratch_.get(),
                                          scratch.counts + offsetof(shared::SowCounts, sortGroups));

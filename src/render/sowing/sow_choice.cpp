@@ -44,28 +44,24 @@ void SowChoice::findIn(std::size_t index, std::span<const shared::Eyepoint> eyes
     const float most = shareIn(field::boxOf(unit), eyes);
     if (firstLevel_ > levels || most <= field::lowestRank(firstLevel_, 0, levels))
         return;
-    const auto known = cubes_.find(unit.cell);
-    if (known == cubes_.end()) {
+    const auto known = bearing_.find(unit.cell);
+    if (known == bearing_.end()) {
         wanted.push_back({most / field::lowestRank(firstLevel_, 0, levels), true, unit});
         return;
     }
     for (unit.level = firstLevel_; unit.level <= levels; ++unit.level) {
         if (most <= field::lowestRank(unit.level, 0, levels))
             return;
-        const std::uint32_t side = 1U << field::unitLevel(unit.level);
-        for (unit.place[2] = 0; unit.place[2] < side; ++unit.place[2])
-            for (unit.place[1] = 0; unit.place[1] < side; ++unit.place[1])
-                for (unit.place[0] = 0; unit.place[0] < side; ++unit.place[0]) {
-                    if (!field::bears(known->second, unit))
-                        continue;
-                    const float share = shareIn(field::boxOf(unit), eyes);
-                    for (unit.half = 0; unit.half < 2; ++unit.half) {
-                        const float lowest = field::lowestRank(unit.level, unit.half, levels);
-                        if (share > lowest)
-                            wanted.push_back({share / lowest, false, unit});
-                    }
-                    unit.half = 0;
-                }
+        for (const std::array<std::uint8_t, 3>& place :
+             known->second[field::unitLevel(unit.level)]) {
+            unit.place = {place[0], place[1], place[2]};
+            const float share = shareIn(field::boxOf(unit), eyes);
+            for (unit.half = 0; unit.half < 2; ++unit.half) {
+                const float lowest = field::lowestRank(unit.level, unit.half, levels);
+                if (share > lowest)
+                    wanted.push_back({share / lowest, false, unit});
+            }
+        }
     }
 }
 
@@ -87,7 +83,20 @@ float SowChoice::scoreOf(const field::SowUnit& unit, std::span<const shared::Eye
 
 void SowChoice::know(const std::array<std::int32_t, 3>& cell, const field::UnitCell::Cubes& cubes)
 {
-    cubes_[cell] = cubes;
+    Bearing& bearing = bearing_[cell];
+    field::SowUnit unit;
+    for (std::uint32_t fine = 0; fine < bearing.size(); ++fine) {
+        bearing[fine].clear();
+        unit.level = fine == 0 ? 0 : fine + 3;
+        const std::uint32_t side = 1U << fine;
+        for (unit.place[2] = 0; unit.place[2] < side; ++unit.place[2])
+            for (unit.place[1] = 0; unit.place[1] < side; ++unit.place[1])
+                for (unit.place[0] = 0; unit.place[0] < side; ++unit.place[0])
+                    if (field::bears(cubes, unit))
+                        bearing[fine].push_back({static_cast<std::uint8_t>(unit.place[0]),
+                                                 static_cast<std::uint8_t>(unit.place[1]),
+                                                 static_cast<std::uint8_t>(unit.place[2])});
+    }
 }
 
 std::size_t SowChoice::indexOf(const std::array<std::int32_t, 3>& cell) const

@@ -40,12 +40,15 @@ public:
     std::size_t indexOf(const std::array<std::int32_t, 3>& cell) const;
 
 private:
+    /// The cubes of units of each unitLevel() in which something may bear.
+    using Bearing = std::array<std::vector<std::array<std::uint8_t, 3>>, field::finestUnits + 1>;
+
     void findIn(std::size_t index, std::span<const shared::Eyepoint> eyes,
                 std::vector<Wanted>& wanted) const;
 
     const field::SeedsView* seeds_;
     std::uint32_t firstLevel_; ///< levels below are stored
-    std::map<std::array<std::int32_t, 3>, field::UnitCell::Cubes> cubes_;
+    std::map<std::array<std::int32_t, 3>, Bearing> bearing_;
 };
 
 } // namespace sward::render

@@ -14,8 +14,8 @@ namespace {
 constexpr std::uint32_t placesTogether = shared::nonEmptyPatchStride;
 
 /// Blades of a sown patch and of a unit, for the size of tables: fewer need more patches.
-constexpr std::uint64_t bladesOfPatch = 300;
-constexpr std::uint64_t bladesOfUnit = 8192;
+constexpr std::uint64_t bladesOfPatch = 160;
+constexpr std::uint64_t bladesOfUnit = 4096;
 constexpr std::uint32_t minUnits = 1024;
 
 std::uint32_t sownStrides(std::size_t blades)

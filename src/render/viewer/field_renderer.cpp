@@ -47,11 +47,11 @@ PlacedField::Settings bladeSettings(const FieldRenderer::Settings& wanted)
             .keepsCullResults = wanted.recordCullResults};
 }
 
-/// A blade's part of a list that holds a share of all, with patches that are not full [bytes].
-constexpr std::uint64_t bytesOfSownList = 5;
-
-/// Rounds in which all sown blades would be listed.
-constexpr std::uint32_t roundsOfSown = 6;
+/// A blade's part of the list of visible blades, unless its record has that already [bytes].
+std::uint64_t bytesOfSownList(const BladeRecords& records)
+{
+    return records.list ? 0 : sizeof(shared::VisibleBlade);
+}
 
 constexpr std::uint64_t ofColliders =
     std::uint64_t(shared::maxColliders) * shared::colliderTriangles;
@@ -125,9 +125,9 @@ FieldRenderer::Parts::Parts(const gpu::DeviceContext& deviceContext, const field
         expectNumbers(context, view.blades.size(), ground.triangleCount());
     PlacedField::Settings own = bladeSettings(wanted);
     own.roundPatches = roundPatchesOf(field->blades, records);
-    // Few of the sown blades are seen at once.
-    if (field->sowing && !records.list && records.roundPatches == 0)
-        own.roundPatches = field->blades.nonEmptyPatchCount() / roundsOfSown + 1;
+    // One round: of the sizes of sown patches only the largest one is known.
+    if (field->sowing && records.roundPatches == 0)
+        own.roundPatches = field->blades.nonEmptyPatchCount();
     auto placed = std::make_unique<PlacedField>(context, *field, own);
     blades = placed.get();
     blades->expectViews(1);
@@ -178,7 +178,7 @@ std::unique_ptr<DeviceField> FieldRenderer::Parts::sownField(const field::FieldV
         (settings.deviceBytes > 0 ? settings.deviceBytes : context.deviceLocalBytes()) / 2;
     const std::uint64_t bytes = std::min(settings.sownBytes, most);
     const SownMemory memory =
-        SownMemory::of(bytes, records.bytesPerBlade(false) + bytesOfSownList,
+        SownMemory::of(bytes, records.bytesPerBlade(false) + bytesOfSownList(records),
                        settings.framesInFlight, settings.sowsOnDevice, context.isCpu());
     requireMemory(context, view, records, {});
     const std::uint64_t places = view.blades.size() + memory.room.blades;
