@@ -11,6 +11,27 @@
 using namespace sward;
 using namespace sward::c;
 
+namespace {
+
+// Members that are 0 have the defaults of C++, so that hosts need not know what has been added.
+render::FieldBudget budgetOf(const sward_budget& wanted)
+{
+    render::FieldBudget budget{.bytes = wanted.bytes,
+                               .instances = wanted.instances,
+                               .views = wanted.views,
+                               .keepsMotion = wanted.keeps_motion,
+                               .framesInFlight = wanted.frames_in_flight,
+                               .waitsForDisk = wanted.waits_for_disk,
+                               .isEditable = wanted.is_editable};
+    if (wanted.sown_bytes > 0)
+        budget.sownBytes = wanted.sown_bytes == SWARD_SOWN_NONE ? 0 : wanted.sown_bytes;
+    if (wanted.sow_threads > 0)
+        budget.sowThreads = wanted.sow_threads == SWARD_SOWN_IN_FRAMES ? 0 : wanted.sow_threads;
+    return budget;
+}
+
+} // namespace
+
 sward_status sward_features_create(VkPhysicalDevice physical, sward_features** features)
 {
     return guarded([&] {
@@ -83,20 +104,18 @@ sward_status sward_resident_create_within(const sward_context* context, const sw
         checked(budget, "budget");
         checked(resident, "resident");
         *resident = new sward_resident{std::make_shared<render::ResidentField>(
-            context->context, field->mapped,
-            render::FieldBudget{.bytes = budget->bytes,
-                                .instances = budget->instances,
-                                .views = budget->views,
-                                .keepsMotion = budget->keeps_motion,
-                                .framesInFlight = budget->frames_in_flight,
-                                .waitsForDisk = budget->waits_for_disk,
-                                .isEditable = budget->is_editable})};
+            context->context, field->mapped, budgetOf(*budget))};
     });
 }
 
 bool sward_resident_is_streamed(const sward_resident* resident)
 {
     return resident != nullptr && resident->field->isStreamed();
+}
+
+bool sward_resident_is_sown(const sward_resident* resident)
+{
+    return resident != nullptr && resident->field->isSown();
 }
 
 void sward_resident_destroy(sward_resident* resident)

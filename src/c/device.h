@@ -59,14 +59,21 @@ typedef struct sward_budget {
     bool keeps_motion;         /* as in sward_grass_info */
     bool waits_for_disk;       /* false: what is not in the CPU's memory comes in later frames */
     bool is_editable;          /* for sward_grass_edit(): all must fit, and edits may take more */
+    uint64_t sown_bytes;       /* for blades that a field with seeds sows near the views, at most half
+                                * of `bytes`; 0: 512 MiB; SWARD_SOWN_NONE: none are sown */
+    uint32_t sow_threads;      /* that grow them; 0: one; SWARD_SOWN_IN_FRAMES: a unit each frame */
 } sward_budget;
 
+#define SWARD_SOWN_NONE UINT64_MAX
+#define SWARD_SOWN_IN_FRAMES UINT32_MAX
+
 /* The same within a budget. If not all fits, blades that the views see come by pages: the resident
- * field and its instances then keep the file mapped, also after sward_field_destroy(). One grass
- * alone draws such a field, or an editable one. */
+ * field and its instances then keep the file mapped, also after sward_field_destroy(). So do those
+ * of a field with seeds. One grass alone draws such a field, or an editable one. */
 sward_status sward_resident_create_within(const sward_context* context, const sward_field* field,
                                           const sward_budget* budget, sward_resident** resident);
 bool sward_resident_is_streamed(const sward_resident* resident);
+bool sward_resident_is_sown(const sward_resident* resident);
 
 /* Instances keep what they need; destroy after the commands of sward_resident_record_upload(). */
 void sward_resident_destroy(sward_resident* resident);

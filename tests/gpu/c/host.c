@@ -454,6 +454,46 @@ static void stream_field(const sward_context* context, const char* path, sward_g
     sward_resident_destroy(resident);
 }
 
+/* Draws a field with seeds: its stored blades alone, and what two budgets sow beside them. */
+static void sow_field(const sward_context* context, const char* path, sward_grass* grass,
+                      const sward_target* target, const sward_frame* frame)
+{
+    const sward_budget budgets[3] = {
+        {.instances = 1, .views = 1, .frames_in_flight = 1, .sown_bytes = SWARD_SOWN_NONE},
+        {.instances = 1, .views = 1, .frames_in_flight = 1, .waits_for_disk = true,
+         .sown_bytes = 1 << 20, .sow_threads = SWARD_SOWN_IN_FRAMES},
+        {.instances = 1, .views = 1, .frames_in_flight = 1, .waits_for_disk = true}};
+    unsigned long long resident_blades[3];
+    for (int i = 0; i < 3; ++i) {
+        sward_field* field = NULL;
+        REQUIRE(sward_field_open(path, &field) == SWARD_OK);
+        sward_resident* resident = NULL;
+        REQUIRE(sward_resident_create_within(context, field, &budgets[i], &resident) == SWARD_OK);
+        sward_field_destroy(field);
+        REQUIRE(sward_resident_is_sown(resident) == (i > 0));
+        upload(resident);
+        const sward_placement place = {.rotation = {0, 0, 0, 1}, .scale = 1.0};
+        sward_instance one = 0;
+        REQUIRE(sward_grass_add(grass, resident, &place, &one) == SWARD_OK);
+        sward_streaming streaming = {.is_settled = false};
+        for (int n = 0; n < 100 && !streaming.is_settled; ++n) {
+            REQUIRE(draw(grass, target, frame) > 0);
+            if (i == 0)
+                break;
+            REQUIRE(sward_grass_get_streaming(grass, &streaming) == SWARD_OK);
+        }
+        REQUIRE(draw(grass, target, frame) > 0); /* counts of a frame with all that is there */
+        sward_stats stats;
+        REQUIRE(sward_grass_get_stats(grass, 0, 0, &stats) == SWARD_OK);
+        resident_blades[i] = stats.resident;
+        REQUIRE(sward_grass_remove(grass, one) == SWARD_OK);
+        sward_resident_destroy(resident);
+    }
+    printf("sown: %llu, %llu and %llu blades\n", resident_blades[0], resident_blades[1],
+           resident_blades[2]);
+    REQUIRE(resident_blades[0] < resident_blades[1] && resident_blades[1] < resident_blades[2]);
+}
+
 /* Draws the field before and after an edit that makes some of it bare. */
 static void edit_field(const sward_context* context, const sward_field* field, sward_grass* grass,
                        const sward_target* target, const sward_frame* frame, const char* delta)
@@ -565,7 +605,8 @@ static void misuse(const sward_context* context, sward_grass* grass, const sward
     require_words("sward_target_info::samples is 3");
 }
 
-static void draw_field(const sward_field* field, const char* path, const char* delta)
+static void draw_field(const sward_field* field, const char* path, const char* delta,
+                       const char* seeded)
 {
     sward_features* features = make_device();
     const sward_context_info context_info = {.instance = instance,
@@ -656,6 +697,7 @@ static void draw_field(const sward_field* field, const char* path, const char* d
 
     edit_field(context, field, grass, target, &frame, delta);
     stream_field(context, path, grass, target, &frame);
+    sow_field(context, seeded, grass, target, &frame);
 
     sward_grass_destroy(grass);
     sward_target_destroy(target);
@@ -670,10 +712,10 @@ static void draw_field(const sward_field* field, const char* path, const char* d
 
 int main(int argc, char** argv)
 {
-    REQUIRE(argc == 4);
+    REQUIRE(argc == 5);
     REQUIRE(strcmp(sward_last_error(), "") == 0);
     sward_field* field = read_field(argv[1], argv[2]);
-    draw_field(field, argv[1], argv[3]);
+    draw_field(field, argv[1], argv[3], argv[4]);
     sward_field_destroy(field);
     sward_field_destroy(NULL);
     return 0;

@@ -13,6 +13,9 @@ class CInterface(unittest.TestCase):
     def test_a_host_in_c_reads_and_draws(self):
         with tempfile.TemporaryDirectory(prefix="sward-c-") as folder:
             field, damaged = Path(folder) / "plane.sward", Path(folder) / "damaged.sward"
+            seeded = Path(folder) / "seeded.sward"
+            subprocess.run([os.environ["SWARD_PROGRAM"], "bake", "plane", "--density", "60", "--blade-scale", "4", "--sky-rays", "0",
+                            "--seeds", "always", "--budget", "5000", "-o", seeded, "-q"], check=True)
             baked = ["plane", "--count", "20000", "--blade-scale", "4"]
             subprocess.run([os.environ["SWARD_PROGRAM"], "bake", *baked, "-o", field, "-q"], check=True)
             content = bytearray(field.read_bytes())
@@ -26,13 +29,14 @@ class CInterface(unittest.TestCase):
                 print(json.dumps({"id": 1, "do": "paint", "keep": 0, "strokes": [stroke]}), file=session.stdin,
                       flush=True)
                 delta = json.loads(session.stdout.readline())["delta"]
-                done = subprocess.run([os.environ["SWARD_C_HOST"], field, damaged, delta],
+                done = subprocess.run([os.environ["SWARD_C_HOST"], field, damaged, delta, seeded],
                                       capture_output=True, text=True, timeout=300)
                 session.stdin.close()
             self.assertEqual(done.returncode, 0, done.stderr)
             self.assertEqual(done.stderr, "")
             self.assertIn("tessellated: ", done.stdout)
             self.assertIn("edited: ", done.stdout)
+            self.assertIn("sown: ", done.stdout)
 
     def test_a_reader_of_fields_in_c_needs_no_vulkan_and_knows_ribbons(self):
         program = os.environ["SWARD_C_FIELDS"]

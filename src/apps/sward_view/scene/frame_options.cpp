@@ -21,6 +21,16 @@ namespace {
 constexpr std::uint64_t minMemory = std::uint64_t(1) << 20;
 constexpr std::uint64_t maxMemory = std::uint64_t(1) << 44;
 
+// Range of --sown-memory [bytes], besides 0. Below, a few units would come and go; above, blades
+// could not be numbered.
+constexpr std::uint64_t minSown = std::uint64_t(16) << 20;
+constexpr std::uint64_t maxSown = std::uint64_t(64) << 30;
+
+std::uint64_t parseSown(const std::string& text)
+{
+    return text == "0" ? 0 : apps::parseBytes("--sown-memory", text, minSown, maxSown);
+}
+
 render::Geometry parseGeometry(const std::string& word)
 {
     using render::Geometry;
@@ -146,6 +156,11 @@ void FrameOptions::addShared(CLI::App& app)
         "Limit of device memory, 1M to 16T, such as 512M or 2G; a field that needs more is "
         "streamed")
         ->default_str("all");
+    option(
+        "--sown-memory", [this](const std::string& text) { sownMemory = parseSown(text); }, "SIZE",
+        "Device memory for the blades that a field with seeds sows near the eye, 16M to 64G, but "
+        "at most half of --gpu-memory or of the device's; 0: stored blades alone")
+        ->default_str("512M");
     app.add_flag("--validation", validation,
                  "Run under the Vulkan validation layer; any message is a failure")
         ->group(group);

@@ -44,6 +44,8 @@ struct FrameOptions {
     std::vector<render::Collider> colliders; ///< beside those of the settings
     double fixedStep = 1.0 / 60.0;           ///< [s] between frames
     std::uint64_t gpuMemory = 0;             ///< [bytes] of device memory; 0: unlimited
+    /// [bytes] of device memory for the blades that a field with seeds sows; 0: none are sown
+    std::uint64_t sownMemory = render::FieldRendererSettings{}.sownBytes;
     std::string device;                      ///< index or part of the name; empty: the best
     bool validation = false;
     apps::LogSwitches log;

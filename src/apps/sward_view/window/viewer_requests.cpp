@@ -302,6 +302,7 @@ void Viewer::show(Opening::Opened opened)
                                         .recordCullResults = true,
                                         .deviceBytes = frame.gpuMemory,
                                         .largestTarget = window_.screenSize(),
+                                        .sownBytes = frame.sownMemory,
                                         .sowThreads =
                                             std::max(std::thread::hardware_concurrency() / 2, 1U)},
         goodShaders_, home, viewerState_.settings, window_.aspect());
