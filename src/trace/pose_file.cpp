@@ -136,8 +136,10 @@ std::vector<BladePose> readPoses(const field::FieldView& field, const std::files
         }
     }
     if (lines.next())
-        fail(ErrorKind::input, "{}: line {}: the field has only {} blades", name, lines.number(),
-             field.blades.size());
+        fail(ErrorKind::input, "{}: line {}: the field has only {} blades{}", name, lines.number(),
+             field.blades.size(),
+             field.seeds == nullptr ? ""
+                                    : "; 'sward-view render --sown-memory 0' leaves sown ones out");
     return poses;
 }
 

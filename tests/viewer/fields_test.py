@@ -119,6 +119,38 @@ class FieldsTest(WindowCase):
         self.assertEqual(seen, set(rows), "blades of both are met")
         self.assert_ends_well(viewer)
 
+    def test_a_click_tells_of_a_blade_that_is_sown(self):
+        seeded, table = self.folder / "seeded.sward", self.folder / "grown.csv"
+        subprocess.run([SWARD, "bake", "plane", "--density", "4", "--blade-scale", "8", "--sky-rays", "0", "--meadow", "grass",
+                        "--seeds", "always", "--budget", "500", "-o", seeded, "-q"], check=True, stderr=subprocess.DEVNULL)
+        for verb, source, to in (("grow", seeded, self.folder / "grown.sward"), ("export", self.folder / "grown.sward", table)):
+            subprocess.run([SWARD, verb, source, "-o", to, "-q"], check=True, stderr=subprocess.DEVNULL)
+        with open(table) as file:
+            rows = {row["id"]: row for row in csv.DictReader(file)}
+        viewer = self.open(seeded, "--camera", "top", "--resolution", "0.4")
+        viewer.wait_for_value("Field/Sown", lambda shown: shown.replace(" ", "").isdigit(), "blades are sown")
+        viewer.key("space")
+        sown = 0
+        for i in range(60):
+            viewer.click_at(470 + 37 * i % 400, 80 + 29 * i % 440)
+            told = viewer.controls()
+            if "Blade/Id" not in told:
+                continue
+            row = rows[told["Blade/Id"]["shows"]]
+            for axis, shown in zip("xyz", told["Blade/Root"]["shows"].split()):
+                self.assertAlmostEqual(float(row[axis]), float(shown), delta=0.005)
+            self.assertRegex(told["Blade/Species"]["shows"], r"^[a-z]+$")
+            self.assertEqual("Blade/Patch" in told, "Blade/Sown" not in told)
+            if "Blade/Sown" in told:
+                for value in ("Triangle", "Candidate"):
+                    self.assertRegex(told[f"Blade/{value}"]["shows"], r"^\d+$")
+                self.assertEqual(len(told["Blade/Cell"]["shows"].split()), 3)
+                sown += 1
+            if sown == 3:
+                break
+        self.assertEqual(sown, 3)
+        self.assert_ends_well(viewer)
+
     def test_only_the_one_that_changed_or_was_chosen_is_exchanged(self):
         moving = self.folder / "moving.sward"
         bake("plane", 300, moving)

@@ -8,9 +8,10 @@ namespace sward::render {
 /// Blade statistics of a frame. resident = drawn + lod + all of culled; total = resident +
 /// streamedOut.
 struct FrameStats {
-    std::uint64_t total = 0;             ///< blades of the field
+    std::uint64_t total = 0;             ///< blades of the field; with seeds, all that would grow
     std::uint64_t streamedOut = 0;       ///< not resident
     std::uint64_t resident = 0;          ///< in memory
+    std::uint64_t sown = 0;              ///< of these, grown from the field's seeds
     std::uint64_t simulated = 0;         ///< moved in this frame
     std::uint64_t drawn = 0;             ///< in the picture
     std::uint64_t lod = 0;               ///< thinned out

@@ -254,6 +254,9 @@ void PlacedField::addCounts(std::uint32_t slot, std::uint32_t view, FrameStats& 
         resident = streaming()->residentBlades(slot);
     if (sowing() != nullptr)
         resident = std::min(residentOfSlot_[slot], total);
+    const std::uint64_t stored = blades().bladeCount();
+    if (sowing() != nullptr)
+        sum.sown += resident - std::min(stored, resident);
     sum.total += total;
     sum.resident += resident;
     sum.streamedOut += total - resident;

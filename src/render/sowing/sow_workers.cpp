@@ -1,5 +1,7 @@
 #include "render/sowing/sow_workers.h"
 
+#include "core/expect.h"
+
 #include <algorithm>
 #include <iterator>
 #include <utility>
@@ -119,6 +121,12 @@ SowWorkers::Result SowWorkers::done(const Job& job)
     result.unit = field::growUnit(sower_, species_, *cell, *job.unit);
     result.unit->keys = {};
     return result;
+}
+
+field::GrownUnit SowWorkers::grow(const Job& job)
+{
+    expect(job.unit.has_value(), "a unit to grow");
+    return field::growUnit(sower_, species_, *cellAt(job.cell), *job.unit);
 }
 
 /// One thread unpacks a cell; the others that want it wait.

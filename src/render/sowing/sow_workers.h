@@ -60,6 +60,9 @@ public:
     /// seeds.
     std::vector<Result> take();
 
+    /// Grows a unit in the caller's thread at once, with keys. Throws as take() does.
+    field::GrownUnit grow(const Job& job);
+
     const field::Sower& sower() const { return sower_; }
 
 private:

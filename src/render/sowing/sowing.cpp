@@ -356,6 +356,34 @@ std::uint64_t Sowing::residentBlades() const
     return std::uint64_t(tables_->storedBlades()) + tables_->sownBlades();
 }
 
+Sowing::Resident Sowing::residentAt(const field::SowUnit& unit,
+                                    const SownTables::Place& place) const
+{
+    return {unit, tables_->tables().patches.subspan(place.patches.first, place.patches.count)};
+}
+
+std::vector<Sowing::Resident> Sowing::residents() const
+{
+    std::vector<Resident> found;
+    for (const auto& [unit, present] : present_)
+        if (present.place.bladeCount > 0)
+            found.push_back(residentAt(unit, present.place));
+    return found;
+}
+
+std::optional<Sowing::Resident> Sowing::residentOf(const field::SowUnit& unit) const
+{
+    const auto found = present_.find(unit);
+    if (found == present_.end() || found->second.place.bladeCount == 0)
+        return std::nullopt;
+    return residentAt(unit, found->second.place);
+}
+
+field::GrownUnit Sowing::grownAgain(const field::SowUnit& unit)
+{
+    return workers_.grow({choice_.indexOf(unit.cell), unit});
+}
+
 std::uint64_t Sowing::visiblePatches(const shared::Eyepoint& view) const
 {
     const FieldTables tables = tables_->tables();

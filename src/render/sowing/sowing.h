@@ -65,6 +65,18 @@ public:
     std::uint64_t residentBlades() const;
     std::uint64_t allBlades() const { return allBlades_; }
 
+    /// A unit in memory that has blades.
+    struct Resident {
+        field::SowUnit unit;
+        std::span<const shared::Patch> patches; ///< firstBlade is a place in memory
+    };
+    /// All of these, in order; the spans are valid until the next choose().
+    std::vector<Resident> residents() const;
+    std::optional<Resident> residentOf(const field::SowUnit& unit) const; ///< if it is in memory
+
+    /// Grows a unit again, with keys: its blades are in the order of those in memory.
+    field::GrownUnit grownAgain(const field::SowUnit& unit);
+
     /// Upper bound of the patches with blades that a walk from this eyepoint finds.
     std::uint64_t visiblePatches(const shared::Eyepoint& view) const;
 
@@ -93,6 +105,7 @@ private:
     bool makeRoom(float score, Edit& edit);
     void findMissing(std::span<const shared::Eyepoint> views);
     void forgetBare();
+    Resident residentAt(const field::SowUnit& unit, const SownTables::Place& place) const;
 
     Settings settings_;
     std::unique_ptr<SownTables> tables_;

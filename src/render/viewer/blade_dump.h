@@ -12,8 +12,9 @@
 
 namespace sward::render {
 
-/// The state of every blade after the last frame, in file order. Waits for the device. `places`: of
-/// each blade on the device, if they are not in file order.
+/// The state of every blade after the last frame, in file order; then of the sown ones, whose units
+/// are grown again for their keys. Waits for the device. `places`: of each stored blade on the
+/// device, if they are not in file order.
 std::vector<FieldRenderer::BladeRecord> readBlades(const gpu::DeviceContext& context,
                                                    const PlacedField& blades,
                                                    const field::FieldView& field,
@@ -24,5 +25,10 @@ std::vector<FieldRenderer::BladeRecord> readBlades(const gpu::DeviceContext& con
 std::vector<FieldRenderer::BladeRecord>
 readPatch(const gpu::DeviceContext& context, const PlacedField& blades,
           const field::FieldView& field, std::uint32_t patch, std::span<const BladePart> parts);
+
+/// The blades of a sown patch in memory, `cell`, and their state. Leaves ids and width factors
+/// unset.
+SownDump readSown(const gpu::DeviceContext& context, const PlacedField& blades,
+                  const field::FieldView& field, const shared::Patch& cell);
 
 } // namespace sward::render

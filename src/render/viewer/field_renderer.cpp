@@ -480,6 +480,39 @@ FieldRenderer::dumpBlades(const field::FieldView& field) const
     return readBlades(parts_->context, *parts_->blades, field, places);
 }
 
+std::vector<SownPatch> FieldRenderer::sownPatches() const
+{
+    std::vector<SownPatch> found;
+    if (!isSown())
+        return found;
+    for (const Sowing::Resident& resident : parts_->field->sowing->residents())
+        for (std::uint32_t i = 0; i < resident.patches.size(); ++i) {
+            SownPatch& patch = found.emplace_back(resident.unit, i);
+            patch.bounds.add(resident.patches[i].boundsLow);
+            patch.bounds.add(resident.patches[i].boundsHigh);
+        }
+    return found;
+}
+
+SownDump FieldRenderer::dumpSown(const field::FieldView& field, const SownPatch& patch) const
+{
+    const std::optional<Sowing::Resident> resident =
+        isSown() ? parts_->field->sowing->residentOf(patch.unit) : std::nullopt;
+    if (!resident || patch.patch >= resident->patches.size())
+        return {};
+    return readSown(parts_->context, *parts_->blades, field, resident->patches[patch.patch]);
+}
+
+field::BladeKey FieldRenderer::keyOf(const SownPatch& patch, std::uint32_t index) const
+{
+    requireUsage(isSown(), "a field of which nothing is sown");
+    const field::GrownUnit grown = parts_->field->sowing->grownAgain(patch.unit);
+    requireUsage(patch.patch < grown.patches.size() &&
+                     index < grown.patches[patch.patch].bladeCount,
+                 "blade {} of patch {} of a sown unit", index, patch.patch);
+    return grown.keys[grown.patches[patch.patch].firstBlade + index];
+}
+
 std::vector<FieldRenderer::BladeRecord> FieldRenderer::dumpPatch(const field::FieldView& field,
                                                                  std::uint32_t patch) const
 {

@@ -7,6 +7,7 @@
 #include "render/frame/frame_settings.h"
 #include "render/frame/frame_stats.h"
 #include "render/viewer/field_renderer_settings.h"
+#include "render/viewer/sown_dump.h"
 
 #include <glm/vec2.hpp>
 #include <vulkan/vulkan.h>
@@ -97,13 +98,23 @@ public:
 
     using BladeRecord = render::BladeRecord; ///< result of dumpBlades()
 
-    /// Reads back every blade's state in file order; waits for the device. After an edit `field` is
-    /// the edited field, and a frame has been drawn. Throws Error{unsupported} if the field is
-    /// streamed.
+    /// Reads back every blade's state in file order, and then of those that are sown, unit by unit;
+    /// waits for the device. After an edit `field` is the edited field, and a frame has been drawn.
+    /// Throws Error{unsupported} if the field is streamed.
     std::vector<BladeRecord> dumpBlades(const field::FieldView& field) const;
 
     /// The same for one patch, without `lodWidth`; empty if its blades are not resident.
     std::vector<BladeRecord> dumpPatch(const field::FieldView& field, std::uint32_t patch) const;
+
+    /// The patches of blades that are sown and in memory; empty if there are none.
+    std::vector<SownPatch> sownPatches() const;
+
+    /// dumpPatch() of one of these, with its blades; nothing if it is no longer in memory. Each
+    /// blade is followed by the ribbons that stand on it.
+    SownDump dumpSown(const field::FieldView& field, const SownPatch& patch) const;
+
+    /// Key of blade `index` of such a patch; grows its unit again, which takes some 10 ms.
+    field::BladeKey keyOf(const SownPatch& patch, std::uint32_t index) const;
 
     /// The geometry in use, never automatic, and the reason.
     Geometry geometry() const;

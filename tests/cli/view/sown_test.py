@@ -7,9 +7,11 @@ import tempfile
 import unittest
 from pathlib import Path
 
+import numpy
+
 SWARD = os.environ["SWARD_PROGRAM"]
 VIEWER = os.environ["SWARD_VIEW_PROGRAM"]
-HILLS = ["hills", "--density", "40", "--sky-rays", "0", "--slope", "0:180", "--blade-scale", "1"]
+HILLS = ["hills", "--density", "40", "--sky-rays", "0", "--slope", "0:180", "--blade-scale", "1", "--meadow", "grass"]
 
 
 class SownCase(unittest.TestCase):
@@ -53,6 +55,35 @@ class MemoryOfSownBladesTest(SownCase):
         for wrong in ("much", "15M", "-1", "65G", "128MB"):
             self.assertIn("--sown-memory", self.render("--sown-memory", wrong, code=1).stderr)
         self.assertIn("[16777216, 68719476736] bytes", self.render("--sown-memory", "1M", code=1).stderr)
+
+
+class DumpOfSownBladesTest(SownCase):
+    def dump(self, *options):
+        self.render("--dump-blades", "d.csv", "--stats", "s.json", *options)
+        counts = json.loads((self.folder / "s.json").read_text(encoding="utf-8"))["blades"]
+        return counts, numpy.genfromtxt(self.folder / "d.csv", delimiter=",", skip_header=1, usecols=(0, 1, 2, 3, 14))
+
+    def test_the_dump_lists_what_grows_there(self):
+        counts, rows = self.dump()
+        self.assertEqual(len(rows), counts["resident"])
+        self.assertGreater(counts["sown"], 1000)
+        self.assertEqual((rows[:, 4] > 0).sum(), counts["drawn"])
+        subprocess.run([SWARD, "grow", self.field, "-o", self.folder / "grown.sward", "-q"], check=True)
+        subprocess.run([SWARD, "export", self.folder / "grown.sward", "-o", self.folder / "g.csv", "-q"], check=True)
+        grown = numpy.genfromtxt(self.folder / "g.csv", delimiter=",", skip_header=1, usecols=(0, 1, 2, 3))
+        roots = {int(row[0]): row[1:4] for row in grown}
+        away = [numpy.linalg.norm(row[1:4] - roots[int(row[0])]) for row in rows]
+        self.assertLess(max(away), 1e-3)
+
+    def test_paths_are_traced_by_a_dump_of_stored_blades(self):
+        self.dump()
+        trace = [SWARD, "trace", self.field, "-o", "t.exr", "--size", "16x9", "--samples", "1", "--blades", "d.csv", "--force", "-q"]
+        done = subprocess.run(trace, cwd=self.folder, text=True, capture_output=True)
+        self.assertNotEqual(done.returncode, 0)
+        self.assertIn("--sown-memory 0", done.stderr)
+        counts, rows = self.dump("--sown-memory", "0")
+        self.assertEqual(len(rows), counts["total"])
+        subprocess.run(trace, cwd=self.folder, check=True, capture_output=True)
 
 
 if __name__ == "__main__":

@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <span>
 #include <vector>
 
 namespace sward::view {
@@ -19,17 +20,26 @@ constexpr double behindGround = 1.0; ///< [heights] tolerance for blades rooted 
 constexpr int patchesAtMost = 256;   ///< most patches read back; farther ones have tiny blades
 
 struct Candidate {
-    double entered; ///< [m]
-    std::uint32_t patch;
+    double entered = 0.0;                    ///< [m]
+    std::uint32_t patch = 0;                 ///< of the field
+    const render::SownPatch* sown = nullptr; ///< instead of that
 };
 
 // Patches whose box the line of sight enters, nearest first.
-std::vector<Candidate> candidatesOf(const field::FieldView& field, const Sight& sight,
+std::vector<Candidate> candidatesOf(const field::FieldView& field,
+                                    std::span<const render::SownPatch> sown, const Sight& sight,
                                     double farthest)
 {
     std::vector<Candidate> found;
     const glm::dvec3 from = sight.eye - field.origin;
     const glm::dvec3 inverse = 1.0 / sight.direction;
+    const auto add = [&](const Aabb& box, Candidate candidate) {
+        const std::optional<double> entered = presentation::enters(box, from, inverse);
+        if (!entered || *entered > farthest)
+            return;
+        candidate.entered = *entered;
+        found.push_back(candidate);
+    };
     for (std::uint32_t i = 0; i < field.patches.size(); ++i) {
         const shared::Patch& cell = field.patches[i];
         if (cell.bladeCount == 0)
@@ -37,13 +47,31 @@ std::vector<Candidate> candidatesOf(const field::FieldView& field, const Sight& 
         Aabb box;
         box.add(cell.boundsLow);
         box.add(cell.boundsHigh);
-        const std::optional<double> entered = presentation::enters(box, from, inverse);
-        if (entered && *entered <= farthest)
-            found.push_back({*entered, i});
+        add(box, {.patch = i});
     }
-    std::sort(found.begin(), found.end(),
-              [](const Candidate& a, const Candidate& b) { return a.entered < b.entered; });
+    for (const render::SownPatch& patch : sown)
+        add(patch.bounds, {.sown = &patch});
+    std::stable_sort(found.begin(), found.end(), [](const Candidate& a, const Candidate& b) {
+        return a.entered < b.entered;
+    });
     return found;
+}
+
+// The blades of a candidate and their state; empty if they are not in memory.
+render::SownDump dumpOf(const render::FieldRenderer& renderer, const field::FieldView& field,
+                        const Candidate& candidate)
+{
+    if (candidate.sown != nullptr)
+        return renderer.dumpSown(field, *candidate.sown);
+    render::SownDump dump{.blades = {}, .records = renderer.dumpPatch(field, candidate.patch)};
+    const shared::Patch& cell = field.patches[candidate.patch];
+    for (std::uint32_t i = 0; i < dump.records.size(); ++i) {
+        dump.blades.push_back(shared::unpackBlade(field.blades[cell.firstBlade + i], cell));
+        // Among sown blades, stored ones are drawn as narrow as these.
+        if (renderer.isSown())
+            dump.blades.back().width /= static_cast<float>(field.seeds->meadow->storedWidening);
+    }
+    return dump;
 }
 
 // Distance along the line of sight at which it passes a blade, or infinity.
@@ -102,28 +130,38 @@ std::optional<PickedBlade> pickBlade(const render::FieldRenderer& renderer, cons
     const double farthest = hit ? hit->distance : nearest;
     std::optional<PickedBlade> picked;
     int read = 0;
-    for (const Candidate& candidate : candidatesOf(field, sight, farthest + behindGround)) {
+    const std::vector<render::SownPatch> sown = renderer.sownPatches();
+    for (const Candidate& candidate :
+         candidatesOf(field, sown, sight, farthest + behindGround)) {
         if (candidate.entered > nearest || ++read > patchesAtMost)
             break;
-        const shared::Patch& cell = field.patches[candidate.patch];
-        const auto records = renderer.dumpPatch(field, candidate.patch);
         // A non-resident patch has no records and was not drawn.
+        const auto [blades, records] = dumpOf(renderer, field, candidate);
         for (std::uint32_t i = 0; i < records.size(); ++i) {
             if (onlyDrawn && records[i].cullResult != shared::cullResultDrawn)
                 continue;
-            const shared::Blade blade =
-                shared::unpackBlade(field.blades[cell.firstBlade + i], cell);
-            const double passed = passes(sight, records[i], blade);
-            if (passed < nearest &&
-                passed < farthest + behindGround * static_cast<double>(blade.height)) {
-                nearest = passed;
-                picked = PickedBlade{candidate.patch, i, shown.group.sourceOf(candidate.patch),
-                                     blade, records[i]};
-            }
+            const double passed = passes(sight, records[i], blades[i]);
+            if (passed >= nearest ||
+                passed >= farthest + behindGround * static_cast<double>(blades[i].height))
+                continue;
+            nearest = passed;
+            picked = PickedBlade{.patch = candidate.patch,
+                                 .place = i,
+                                 .source = {},
+                                 .sown = {},
+                                 .blade = blades[i],
+                                 .now = records[i]};
+            if (candidate.sown != nullptr)
+                picked->sown = PickedSown{*candidate.sown, {}};
         }
     }
-    if (picked)
+    if (picked && picked->sown) {
+        picked->sown->key = renderer.keyOf(picked->sown->patch, picked->place);
+        picked->now.id = field::bladeId(picked->sown->key);
+    } else if (picked) {
+        picked->source = shown.group.sourceOf(picked->patch);
         picked->now.id = idOf(*picked, shown);
+    }
     return picked;
 }
 
@@ -131,9 +169,10 @@ PickedBlade lookAgain(const render::FieldRenderer& renderer, const ShownField& s
                       const PickedBlade& picked)
 {
     PickedBlade again = picked;
-    const auto records = renderer.dumpPatch(shown.view, picked.patch);
+    const auto records = picked.sown ? renderer.dumpSown(shown.view, picked.sown->patch).records
+                                     : renderer.dumpPatch(shown.view, picked.patch);
     if (records.empty())
-        return picked; // no longer resident
+        return picked; // no longer in memory
     again.now = records.at(picked.place);
     again.now.id = picked.now.id;
     return again;

@@ -22,11 +22,18 @@ struct Sight {
 /// The line of sight through `pixel` of a picture of `size` pixels.
 Sight sightThrough(const render::Camera& camera, glm::vec2 pixel, glm::vec2 size);
 
+/// A blade that is sown, and its key.
+struct PickedSown {
+    render::SownPatch patch;
+    field::BladeKey key;
+};
+
 /// A picked blade.
 struct PickedBlade {
-    std::uint32_t patch = 0;                ///< in the joined view
-    std::uint32_t place = 0;                ///< index in that patch
-    field::PatchSource source;              ///< its field, and its patch there
+    std::uint32_t patch = 0;                ///< in the joined view; unless it is sown
+    std::uint32_t place = 0;                ///< index in that patch, or in the sown one
+    field::PatchSource source;              ///< its field, and its patch there; unless it is sown
+    std::optional<PickedSown> sown;         ///< unset: it is stored
     shared::Blade blade = {};               ///< relative to the field's origin
     render::FieldRenderer::BladeRecord now; ///< with the id in its own field
 };

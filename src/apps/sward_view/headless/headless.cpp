@@ -105,7 +105,7 @@ Headless::Headless(const FrameOptions& options, Wanted wanted)
                  .deviceBytes = options.gpuMemory,
                  .largestTarget = options.size,
                  .waitsForDisk = true,
-                 .sownBytes = wanted.blades ? 0 : options.sownMemory,
+                 .sownBytes = options.sownMemory,
                  .sowThreads = std::max(std::thread::hardware_concurrency(), 1U)})
     , timestamps_(device_.context(), {.slots = 1})
     , ring_(device_.context(), 1)

@@ -179,7 +179,8 @@ void addRenderCommand(CLI::App& app, apps::Command& chosen)
         ->type_name("FILE.json");
     command
         ->add_option("--dump-blades", options->dump,
-                     "CSV file for the state of every blade of one field")
+                     "CSV file for the state of every blade of one field: of all stored ones, and "
+                     "of those that are sown for this camera")
         ->type_name("FILE.csv");
     command->add_flag("--force", options->force, "Overwrite existing files");
     options->frame.log.addBar(*command);

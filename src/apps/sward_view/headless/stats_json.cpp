@@ -34,6 +34,7 @@ Json bladeCounts(const render::FrameStats& blades)
     return Json{{"total", blades.total},
                 {"streamed_out", blades.streamedOut},
                 {"resident", blades.resident},
+                {"sown", blades.sown},
                 {"simulated", blades.simulated},
                 {"drawn", blades.drawn},
                 {"lod", blades.lod},

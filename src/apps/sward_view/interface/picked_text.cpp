@@ -56,6 +56,19 @@ glm::vec3 windOn(const PickedBlade& picked, const field::FieldView& field,
     return shared::windForce(wind, picked.blade.root, picked.blade.up, tip, 0.0f);
 }
 
+// What tells of a blade that no file has.
+std::vector<PickedLine> sownLines(const PickedSown& sown)
+{
+    const field::SowUnit& unit = sown.patch.unit;
+    return {{"Sown", fmt::format("level {}", unit.level),
+             "The blade has been grown from the field's seeds; its rank is of this level"},
+            {"Cell", fmt::format("{}  {}  {}", unit.cell[0], unit.cell[1], unit.cell[2]),
+             "Number of its 32 m cell in the seeds"},
+            {"Triangle", std::to_string(sown.key.triangle), "Triangle of the ground, from 0"},
+            {"Candidate", std::to_string(sown.key.candidate),
+             "Number of the blade on its triangle, from 0"}};
+}
+
 } // namespace
 
 std::vector<PickedLine> pickedLines(const PickedBlade& picked, const ShownField& shown,
@@ -76,12 +89,10 @@ std::vector<PickedLine> pickedLines(const PickedBlade& picked, const ShownField&
                                     : std::to_string(blade.species);
     std::vector<PickedLine> lines{
         {"Id", std::to_string(picked.now.id),
-         "Identifier of the blade, as in sward export OUT.csv"},
+         "Identifier of the blade, as in sward export OUT.csv; of a sown one, of sward grow"},
         {"Cull result", cullResultTexts.at(picked.now.cullResult),
          "Result of culling in the last frame"},
         {"Species", species, "Species of the blade"},
-        {"Patch", std::to_string(picked.source.patch),
-         "Patch that owns the blade, in its field's tree"},
         {"Root", vectorText(picked.now.root, 3), "World position of the root [m]"},
         {"Up", vectorText(glm::dvec3(blade.up), 3), "Up-vector of the blade"},
         {"Height", fmt::format("{:.3f} m", blade.height), "Length of the blade"},
@@ -98,6 +109,14 @@ std::vector<PickedLine> pickedLines(const PickedBlade& picked, const ShownField&
                                        std::max(1.0f - picked.now.eta, 0.1f)),
          "Rate of recovery"},
         {"Pressed", fmt::format("{:.2f}", picked.now.eta), "Strength of the last collision"}};
+    const auto at = lines.begin() + 3;
+    if (picked.sown) {
+        const std::vector<PickedLine> sown = sownLines(*picked.sown);
+        lines.insert(at, sown.begin(), sown.end());
+        return lines;
+    }
+    lines.insert(at, {"Patch", std::to_string(picked.source.patch),
+                      "Patch that owns the blade, in its field's tree"});
     if (shown.members.size() > 1)
         lines.insert(lines.begin(), {"Field", shown.members[picked.source.member]->name,
                                      "Field that the blade belongs to"});

@@ -127,10 +127,15 @@ void drawShown(Controls& controls, ViewerState& state)
     controls.fact("In memory", countText(state.counts.resident),
                   "Blades of the shown fields that are in the device's memory, each organ of a "
                   "flower counted as one");
+    if (state.counts.sown > 0)
+        controls.fact("Sown", countText(state.counts.sown),
+                      "Of these, blades that have been grown from the field's seeds near the eye");
     if (state.counts.streamedOut > 0)
         controls.fact("Not in memory", countText(state.counts.streamedOut),
-                      "Blades that are read when they are seen: the fields are larger than the "
-                      "memory that --gpu-memory allows");
+                      state.counts.sown > 0
+                          ? "Blades that would grow from the field's seeds elsewhere"
+                          : "Blades that are read when they are seen: the fields are larger than "
+                            "the memory that --gpu-memory allows");
     controls.fact("On the device", bytesText(state.deviceBytes),
                   "Device memory of fields, ground and pictures");
     if (state.field->members.size() > 1)

@@ -7,13 +7,18 @@
 #include "field/seeds/seeds.h"
 #include "gpu/frame/likeness.h"
 #include "gpu/frame/picture.h"
+#include "shaders/shared/culling.h"
 #include "support/gpu/gpu_fixture.h"
 #include "support/meshes.h"
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <cstdint>
+#include <limits>
+#include <map>
 #include <memory>
 #include <vector>
 
@@ -167,6 +172,85 @@ TEST_F(SowingTest, ArrivesUnitByUnitAndEndsAtTheSamePicture)
         EXPECT_EQ(differing, 0U) << onDevice;
         EXPECT_GT(frames, 2) << onDevice;
     }
+}
+
+TEST_F(SowingTest, TellsOfSownBladesByTheKeysAndPlacesThatGrow)
+{
+    const field::FieldView whole = field::viewOf(meadow().whole);
+    // Ribbons have the key of their stalk, and stand on it.
+    std::multimap<std::uint64_t, glm::dvec3> grown;
+    for (const shared::Patch& cell : whole.patches)
+        for (std::uint32_t i = 0; i < cell.bladeCount; ++i)
+            grown.emplace(
+                whole.idOf(cell.firstBlade + i),
+                whole.origin +
+                    glm::dvec3(shared::unpackBlade(whole.blades[cell.firstBlade + i], cell).root));
+    const auto distanceTo = [&](std::uint64_t id, const glm::dvec3& root) {
+        double nearest = std::numeric_limits<double>::infinity();
+        for (auto [one, end] = grown.equal_range(id); one != end; ++one)
+            nearest = std::min(nearest, glm::distance(one->second, root));
+        return nearest;
+    };
+
+    FieldRenderer::Settings wanted = rasterised();
+    wanted.recordCullResults = true;
+    const field::FieldView seeded = field::viewOf(meadow().seeded);
+    FieldRenderer sown(device(), seeded, wanted);
+    EXPECT_TRUE(sown.sownPatches().empty()) << "nothing is there before the first frame";
+    test::Picture picture(context(), size);
+    FrameSettings all = settings();
+    all.leavesThinned = false;
+    picture.draw(sown, here(), all, 1.0);
+    const FrameStats stats = sown.stats();
+    EXPECT_EQ(stats.sown + seeded.blades.size(), stats.resident);
+
+    const auto records = sown.dumpBlades(seeded);
+    ASSERT_EQ(records.size(), stats.resident);
+    std::uint64_t drawn = 0;
+    for (std::size_t i = 0; i < records.size(); ++i) {
+        // Places of ribbons are those on bent stalks.
+        ASSERT_LT(distanceTo(records[i].id, records[i].root), 1.0) << i;
+        drawn += records[i].cullResult == shared::cullResultDrawn ? 1U : 0U;
+        EXPECT_EQ(records[i].lodWidth > 0.0f,
+                  records[i].cullResult == shared::cullResultDrawn) << i;
+    }
+    EXPECT_EQ(drawn, stats.drawn);
+
+    // What picking reads says the same, in the same order.
+    const std::vector<SownPatch> patches = sown.sownPatches();
+    std::size_t first = seeded.blades.size();
+    std::size_t stalks = 0;
+    for (std::size_t p = 0; p < patches.size(); ++p) {
+        const SownDump dump = sown.dumpSown(seeded, patches[p]);
+        ASSERT_EQ(dump.records.size(), dump.blades.size());
+        for (std::uint32_t i = 0; i < dump.records.size(); i += 97) {
+            const std::size_t index = first + i;
+            EXPECT_EQ(dump.records[i].v2, records[index].v2);
+            EXPECT_EQ(dump.records[i].cullResult, records[index].cullResult);
+            if (i == 97 && p % 16 == 0) {
+                EXPECT_EQ(field::bladeId(sown.keyOf(patches[p], i)), records[index].id);
+            }
+            // The quantisation of roots in the patches of both.
+            const glm::dvec3 root = seeded.origin + glm::dvec3(dump.blades[i].root);
+            EXPECT_LT(distanceTo(records[index].id, root), 1e-3);
+            ++stalks;
+        }
+        first += dump.records.size();
+    }
+    EXPECT_EQ(first, records.size());
+    EXPECT_GT(stalks, 300U);
+
+    // A unit that has gone has no blades; the same place has others.
+    FieldRenderer::Settings little = wanted;
+    little.sownBytes = std::uint64_t(1) << 20;
+    FieldRenderer cramped(device(), seeded, little);
+    picture.draw(cramped, here(), all, 1.0);
+    const std::vector<SownPatch> before = cramped.sownPatches();
+    picture.draw(cramped, there(), all, 1.0);
+    std::size_t gone = 0;
+    for (const SownPatch& patch : before)
+        gone += cramped.dumpSown(seeded, patch).records.empty() ? 1U : 0U;
+    EXPECT_GT(gone, 0U);
 }
 
 } // namespace
