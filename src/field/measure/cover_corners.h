@@ -5,6 +5,7 @@
 #include "shaders/shared/blade.h"
 #include "shaders/shared/cover.h"
 #include "shaders/shared/look/blade_colors.h"
+#include "shaders/shared/noise.h"
 
 #include <glm/common.hpp>
 
@@ -73,15 +74,21 @@ struct CoverBlade {
     const shared::Species* look; ///< never null
 };
 
-/// Calls `visit` for the first `share` of a patch's blades: they are spread evenly over it and
-/// represent all.
+/// Calls `visit` for a `share` of a patch's blades, which are spread evenly over it and represent
+/// all. Blades in a row are, and their first may be any blade of the patch: where a patch begins is
+/// a stalk, so that rows from there on have fewer ribbons than the patch.
 template <typename Visit>
 void forSomeBlades(std::span<const Species> species, const shared::Patch& cell,
                    std::span<const shared::PackedBlade> blades, double share, const Visit& visit)
 {
     const auto read =
         static_cast<std::uint32_t>(std::ceil(share * static_cast<double>(cell.bladeCount)));
-    for (std::uint32_t i = 0; i < read; ++i) {
+    const std::uint32_t first =
+        read < cell.bladeCount
+            ? shared::mixUint(blades[cell.firstBlade].rootXY ^ cell.bladeCount) % cell.bladeCount
+            : 0;
+    for (std::uint32_t n = 0; n < read; ++n) {
+        const std::uint32_t i = (first + n) % cell.bladeCount;
         const shared::Blade blade = shared::unpackBlade(blades[cell.firstBlade + i], cell);
         const BladePart part = partOf(species[blade.species], blade);
         const float area = part.length * blade.width *

@@ -14,7 +14,7 @@ namespace sward::field {
 /// Maximum corners of the grid along its longest axis.
 constexpr std::uint32_t maxCoverCorners = 128;
 
-/// Maximum blades read for the grid; of larger fields the first ones of each patch.
+/// Maximum blades read for the grid; of larger fields some of each patch.
 constexpr std::size_t maxCoverBlades = std::size_t(1) << 20;
 
 /// The grass of a field at the corners of a grid; see shared::Cover. The table is unset.

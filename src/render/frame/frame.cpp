@@ -179,34 +179,51 @@ shared::Eyepoint testsOf(const FrameSettings& settings)
     return view;
 }
 
-float sparseDistance(const FieldShape& field, float full)
+float sparseDistance(const FieldShape& field, float full, float nearest)
 {
     constexpr double twoPi = 6.283185307179586;
-    // Whole units come, with up to twice the ranks that are drawn: 1.4 times on the whole.
-    constexpr double units = 1.5;
-    const glm::vec3 size = field.content.size();
-    const double farthest = glm::length(glm::dvec3(size));
-    const double room = field.sown.room / units;
-    const double near = full;
-    // The integral of 2πr · share(r), up to where only what is stored is drawn. With s the result:
-    // share is 1 up to the smaller of both distances; then in proportion to r⁻¹ beyond `near`, to
-    // r⁻³ beyond s, and to their product beyond both.
+    // Whole units come: the ranks up to the next power of two, as the unit's nearest place wants
+    // them. Half the side of the finest units [m].
+    constexpr double halfUnit = 2.0;
+    // Units leave gaps between them.
+    constexpr double usable = 0.9;
+    const double room = usable * field.sown.room;
+    const double all = field.sown.blades;
+    if (all > 0.0 && all <= room)
+        return 0.0f;
+    // Shares fall with the distance. So most is drawn where all blades stand in a closed sward as
+    // near as the content is.
+    const double near = nearest;
+    double farthest = near + glm::length(glm::dvec3(field.content.size()));
+    if (all > 0.0)
+        farthest = std::min(
+            farthest, std::sqrt(near * near + 2.0 * all / (twoPi * field.sown.bladesPerArea)));
+    // Rings of equal logarithms of their radii; a metre below the eye is one ring.
+    constexpr int rings = 48;
+    const double first = std::max(near, 1.0);
+    const double ratio = std::pow(std::max(farthest / first, 1.0), 1.0 / rings);
+    const double fullTo = std::max(double(full), 1e-6);
     const auto blades = [&](double s) {
-        const double cube = s * s * s;
-        const double last =
-            std::min(std::pow(near * cube / std::max(field.sown.stored, 1e-9), 0.25), farthest);
-        const double both = std::max(s, near);
-        const double far = std::max(last, both);
-        const double tail = 0.5 * near * cube * (1.0 / (both * both) - 1.0 / (far * far));
-        const double head = s < near ? 0.5 * s * s + cube * (1.0 / s - 1.0 / near)
-                                     : 0.5 * near * near + near * (s - near);
-        return twoPi * field.sown.bladesPerArea * (head + tail);
+        double sum = 0.0;
+        double inner = near;
+        double outer = first;
+        for (int ring = 0; ring <= rings; ++ring, inner = outer, outer *= ratio) {
+            const double r = std::max(0.5 * (inner + outer) - halfUnit, near);
+            const double nearness = std::min(s / r, 1.0);
+            const double sparse = nearness * nearness * nearness;
+            const double share = std::min(fullTo / r, 1.0) * sparse;
+            int exponent = 0;
+            std::frexp(share, &exponent);
+            if (share > field.sown.stored)
+                sum += (outer * outer - inner * inner) * std::min(std::ldexp(1.0, exponent), 1.0);
+        }
+        return 0.5 * twoPi * field.sown.bladesPerArea * sum;
     };
     double low = 1e-3;
-    double high = std::max(farthest, near);
+    double high = farthest;
     if (blades(high) <= room)
         return 0.0f;
-    for (int i = 0; i < 40; ++i) {
+    for (int i = 0; i < 24; ++i) {
         const double middle = 0.5 * (low + high);
         (blades(middle) <= room ? low : high) = middle;
     }
@@ -230,8 +247,11 @@ shared::Frame frameOf(const FieldShape& field, const ViewMatrices& view,
     // Culling.
     frame.view.lodWidth = field.blade.width;
     if (field.sown.room > 0.0 && frame.view.lodThreshold > 0.0f) {
-        frame.view.sparseFrom = sparseDistance(field, frame.view.lodWidth * view.pixelsPerUnit /
-                                                          frame.view.lodThreshold);
+        const float full =
+            frame.view.lodWidth * view.pixelsPerUnit / frame.view.lodThreshold;
+        const float nearest =
+            shared::boxDistance(view.eye, field.content.low, field.content.high);
+        frame.view.sparseFrom = sparseDistance(field, full, nearest);
         frame.view.sparseLeast = static_cast<float>(field.sown.stored);
     }
     frame.view.minWidth =

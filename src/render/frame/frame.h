@@ -16,6 +16,7 @@ struct SownShape {
     double room = 0.0;          ///< blades that may be in memory at once; 0: it is not sown
     double bladesPerArea = 0.0; ///< [1/m²] of the closed sward
     double stored = 1.0;        ///< share of the blades that is always there
+    double blades = 0.0;        ///< all that would grow; 0: not known
 };
 
 /// Properties of a field, besides its buffers, that a frame depends on.
@@ -29,8 +30,9 @@ struct FieldShape {
 
 /// Distance [m] up to which a sown field's level of detail is that of a stored one: with less
 /// beyond it, see shared::sparseShare(), what is drawn around an eye on level ground fits into the
-/// room. `full`: distance up to which all blades are drawn [m]. 0: everything fits.
-float sparseDistance(const FieldShape& field, float full);
+/// room. `full`: distance up to which all blades are drawn [m]; `nearest`: of the content from the
+/// eye [m]. 0: everything fits.
+float sparseDistance(const FieldShape& field, float full, float nearest);
 
 /// Writes the projection of a frame's picture, for an eye at `eye`.
 void project(shared::Frame& frame, const glm::mat4& viewProjection, glm::vec3 eye);

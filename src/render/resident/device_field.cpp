@@ -1,5 +1,6 @@
 #include "render/resident/device_field.h"
 
+#include <algorithm>
 #include <cstddef>
 #include <utility>
 
@@ -37,7 +38,9 @@ DeviceField::DeviceField(const gpu::DeviceContext& context, const gpu::ShaderLib
     if (settings.sown) {
         shape.sown = {.room = double(settings.sown->tables().bladeRoom),
                       .bladesPerArea = bladesPerArea(*field.seeds->meadow),
-                      .stored = field.seeds->meadow->stored};
+                      .stored = field.seeds->meadow->stored,
+                      .blades = double(field.blades.size()) /
+                                std::max(field.seeds->meadow->stored, 1e-12)};
         sowing = std::make_unique<Sowing>(context, shaders, field, std::move(settings.sown),
                                           settings.sowing);
     }

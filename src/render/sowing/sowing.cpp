@@ -9,6 +9,7 @@
 #include <glm/geometric.hpp>
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 #include <utility>
 
@@ -25,6 +26,9 @@ constexpr float replacing = 1.19f;
 
 /// An eye that moves less wants the same [m]: a twentieth of the finest unit.
 constexpr float ignoredStep = 0.2f;
+
+/// Likewise for what depends on the distance of an eye that flies towards the field.
+constexpr float ignoredPart = 0.01f;
 
 /// Jobs that wait at once: enough for all threads until the next frame.
 constexpr std::size_t maxJobs = 256;
@@ -113,7 +117,7 @@ bool Sowing::haveMoved() const
         return glm::distance(a.eye, b.eye) < ignoredStep && a.pixelsPerUnit == b.pixelsPerUnit &&
                a.lodThreshold == b.lodThreshold && a.lodWidth == b.lodWidth &&
                a.cullMask == b.cullMask && a.drawDistance == b.drawDistance &&
-               a.sparseFrom == b.sparseFrom;
+               std::abs(a.sparseFrom - b.sparseFrom) <= ignoredPart * b.sparseFrom;
     };
     return !std::ranges::equal(eyes_, looked_, wantsTheSame);
 }

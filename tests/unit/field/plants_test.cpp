@@ -3,6 +3,7 @@
 #include "core/files/mapped_file.h"
 #include "field/inspect.h"
 #include "field/join.h"
+#include "field/measure/cover_corners.h"
 #include "field/measure/nearest_root.h"
 #include "field/read.h"
 #include "field/write.h"
@@ -19,9 +20,9 @@ namespace {
 constexpr std::uint32_t clumpBits = 255U << 24U;
 
 // The sample field whose patches hold one plant of four ribbons each: blades 0 to 4.
-Field plants()
+Field plants(std::uint32_t rows = 5)
 {
-    Field field = tests::sampleField(5);
+    Field field = tests::sampleField(rows);
     Organ leaf;
     leaf.name = "leaf";
     leaf.count = 3;
@@ -82,6 +83,28 @@ TEST(Plants, LeavesAreNarrowBesideTheirStalk)
     EXPECT_NEAR(widthAt(1.0f), 0.0f, 1e-6f);
     // A file keeps its name.
     EXPECT_EQ(organsJson(organs)[0]["shape"], "triangle-tip");
+}
+
+TEST(Plants, ShareTheirLeafAreaWithARunOfRows)
+{
+    // Runs of seven rows of 200, from places that differ: no run begins at a stalk by rule.
+    Field field = plants(200);
+    const auto areaOf = [&](double share) {
+        double area = 0.0;
+        for (const shared::Patch& cell : field.patches)
+            forSomeBlades(field.species, cell, field.blades, share, [&](const CoverBlade& blade) { area += double(blade.area); });
+        return area;
+    };
+    const double all = areaOf(1.0);
+    double some = 0.0;
+    constexpr std::uint32_t trials = 2000;
+    for (std::uint32_t trial = 0; trial < trials; ++trial) {
+        for (const shared::Patch& cell : field.patches)
+            if (cell.bladeCount > 0)
+                field.blades[cell.firstBlade].rootXY = trial;
+        some += areaOf(7.0 / 200.0) / trials;
+    }
+    EXPECT_NEAR(some / all, 1.0, 0.02);
 }
 
 TEST(Plants, AreNoNeighboursOfThemselves)

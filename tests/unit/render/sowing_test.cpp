@@ -270,7 +270,7 @@ TEST(SowChoice, LevelOfDetailKeepsToTheRoom)
             shape.sown.room = room;
             shared::Eyepoint eye = eyeAt({});
             eye.lodWidth = full * eye.lodThreshold / eye.pixelsPerUnit;
-            eye.sparseFrom = sparseDistance(shape, full);
+            eye.sparseFrom = sparseDistance(shape, full, 0.0f);
             eye.sparseLeast = static_cast<float>(shape.sown.stored);
             double blades = 0.0;
             constexpr double step = 0.05;
@@ -290,7 +290,22 @@ TEST(SowChoice, LevelOfDetailKeepsToTheRoom)
         }
     }
     shape.sown.room = 1e13;
-    EXPECT_EQ(sparseDistance(shape, 12.0f), 0.0f);
+    EXPECT_EQ(sparseDistance(shape, 12.0f, 0.0f), 0.0f);
+    // A small field fits: what lies around the eye is bounded by all that grows.
+    shape.sown.room = 2e7;
+    const float usual = sparseDistance(shape, 3.0f, 0.0f);
+    EXPECT_GT(usual, 0.0f);
+    shape.sown.blades = 2.5e7;
+    EXPECT_EQ(sparseDistance(shape, 3.0f, 0.0f), 0.0f) << "a disc of 47 m";
+    EXPECT_GT(sparseDistance(shape, 30.0f, 0.0f), 0.0f) << "most of it is drawn";
+    shape.sown.blades = 1.8e7;
+    EXPECT_EQ(sparseDistance(shape, 30.0f, 0.0f), 0.0f) << "all of it is there";
+    shape.sown.blades = 2.5e7;
+    EXPECT_EQ(sparseDistance(shape, 30.0f, 100.0f), 0.0f) << "from afar a third is drawn";
+    shape.sown.blades = 1e8;
+    EXPECT_GT(sparseDistance(shape, 60.0f, 200.0f), sparseDistance(shape, 60.0f, 0.0f));
+    shape.sown.blades = 1e12;
+    EXPECT_EQ(sparseDistance(shape, 3.0f, 0.0f), usual) << "as far as the content reaches";
 }
 
 TEST(SowChoice, LeavesThatAreNotDrawnAreTheGrounds)
