@@ -281,7 +281,7 @@ TEST(SowChoice, LevelOfDetailKeepsToTheRoom)
             }
             EXPECT_LT(blades, room) << room << ' ' << full;
             if (eye.sparseFrom > 0.0f) {
-                EXPECT_GT(blades, 0.6 * room) << room << ' ' << full;
+                EXPECT_GT(blades, 0.45 * room) << room << ' ' << full;
             }
             if (full == 12.0f) {
                 EXPECT_TRUE(eye.sparseFrom == 0.0f || eye.sparseFrom > before);
