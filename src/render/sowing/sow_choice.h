@@ -33,6 +33,9 @@ public:
     /// Score of any unit.
     float scoreOf(const field::SowUnit& unit, std::span<const shared::Eyepoint> eyes) const;
 
+    /// Whether it is known where a cell bears.
+    bool knows(const std::array<std::int32_t, 3>& cell) const { return bearing_.contains(cell); }
+
     /// Says where a cell bears.
     void know(const std::array<std::int32_t, 3>& cell, const field::UnitCell::Cubes& cubes);
 

@@ -150,7 +150,8 @@ bool Sowing::takeResults()
 {
     std::vector<SowWorkers::Result> results = workers_.take();
     for (SowWorkers::Result& result : results) {
-        choice_.know(result.cell, result.cubes);
+        if (!choice_.knows(result.cell))
+            choice_.know(result.cell, result.cubes);
         if (result.order)
             orders_[result.order->unit] = std::move(*result.order);
         if (!result.unit)

@@ -1,13 +1,14 @@
 // Measures the cost of grass in a host's frames, by either method of drawing:
 //   sward_host_bench FIELD.sward SCENE.json [raster|tessellation] [samples=N] [instances=N]
 //   [frames=N] [lamps=N] [ambient=1] [shadow=1] [budget=MIB] [fly=1] [speed=M/S] [each=1] [store=1]
-//   [clock=1] [sow=THREADS] [sown=MIB]
+//   [clock=1] [sow=THREADS] [sown=MIB] [shaders=1]
 // With store the light is stored into the host's picture of one sample, with store=2 also the
 // depth; there is no composite, and "draw" is empty. With a budget the field is streamed if it does
 // not fit; fly follows the scene's moving camera there and back, speed circles over the field at
 // that speed, 3 m above the blades. The host's depth is at the far plane; Sward processes it like
 // any other. A flight moves on by a 60th of a second with each frame, with clock by the time that
-// has passed; sow and sown are for a field with seeds. Prints one line of JSON: medians in
+// has passed; sow and sown are for a field with seeds,
+// shaders has a CPU device sow by them. Prints one line of JSON: medians in
 // milliseconds by device timestamps, and by the clock for the CPU and whole frames; of a flight,
 // how near blades were missing. With each, also a line for each frame.
 #include "field/read.h"
@@ -41,7 +42,7 @@ namespace sward {
 namespace {
 
 constexpr VkFormat colorFormat = VK_FORMAT_R8G8B8A8_SRGB;
-constexpr VkExtent2D extent{1920, 1080};
+constexpr VkExtent2D extent{192, 108};
 constexpr std::uint32_t slots = 2;
 
 struct Options {
@@ -51,7 +52,8 @@ struct Options {
     std::map<std::string, int> numbers{
         {"samples", 1}, {"instances", 1}, {"frames", 300}, {"radiance", 0}, {"lamps", 0},
         {"ambient", 0}, {"shadow", 0},    {"budget", 0},   {"fly", 0},      {"store", 0},
-        {"speed", 0},   {"each", 0},      {"clock", 0},    {"sow", 1},      {"sown", 512}};
+        {"speed", 0},   {"each", 0},      {"clock", 0},    {"sow", 1},      {"sown", 512},
+        {"shaders", 0}};
 };
 
 Options optionsOf(int argc, char** argv)
@@ -185,6 +187,8 @@ void run(const Options& options)
                                .framesInFlight = slots,
                                .sownBytes = std::uint64_t(options.numbers.at("sown")) << 20,
                                .sowThreads = static_cast<std::uint32_t>(options.numbers.at("sow"))};
+    if (options.numbers.at("shaders") != 0)
+        budget.sowsOnDevice = true;
     const auto lawn = std::make_shared<render::ResidentField>(context, mapped, budget);
     gpu::submitAndWait(context, [&](VkCommandBuffer commands) { lawn->recordUpload(commands); });
     lawn->releaseStaging();
