@@ -183,8 +183,12 @@ float sparseDistance(const FieldShape& field, float full, float nearest)
 {
     constexpr double twoPi = 6.283185307179586;
     // Whole units come: the ranks up to the next power of two, as the unit's nearest place wants
-    // them. Half the side of the finest units [m].
-    constexpr double halfUnit = 2.0;
+    // them. Coarse ranks have wide units, see field::unitLevel().
+    const auto halfUnit = [&](double share) {
+        const double level = field.sown.levels + std::ceil(0.5 * std::log2(std::max(share, 1e-9)));
+        return 12.0 * std::exp2(-std::clamp(level - 3.0, 0.0, 4.0));
+    };
+    constexpr double mostNearer = 0.3; // where units are wider than what is around the eye
     // Units leave gaps between them.
     constexpr double usable = 0.9;
     const double room = usable * field.sown.room;
@@ -208,10 +212,13 @@ float sparseDistance(const FieldShape& field, float full, float nearest)
         double inner = near;
         double outer = first;
         for (int ring = 0; ring <= rings; ++ring, inner = outer, outer *= ratio) {
-            const double r = std::max(0.5 * (inner + outer) - halfUnit, near);
-            const double nearness = std::min(s / r, 1.0);
-            const double sparse = nearness * nearness * nearness;
-            const double share = std::min(fullTo / r, 1.0) * sparse;
+            const auto shareAt = [&](double r) {
+                const double nearness = std::min(s / r, 1.0);
+                return std::min(fullTo / r, 1.0) * nearness * nearness * nearness;
+            };
+            const double middle = 0.5 * (inner + outer);
+            const double share =
+                shareAt(std::max(middle - std::min(halfUnit(shareAt(middle)), mostNearer * middle), near));
             int exponent = 0;
             std::frexp(share, &exponent);
             if (share > field.sown.stored)

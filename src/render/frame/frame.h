@@ -17,6 +17,7 @@ struct SownShape {
     double bladesPerArea = 0.0; ///< [1/m²] of the closed sward
     double stored = 1.0;        ///< share of the blades that is always there
     double blades = 0.0;        ///< all that would grow; 0: not known
+    double levels = 6.0;        ///< field::SeedMeadow::levels
 };
 
 /// Properties of a field, besides its buffers, that a frame depends on.

@@ -40,7 +40,8 @@ DeviceField::DeviceField(const gpu::DeviceContext& context, const gpu::ShaderLib
                       .bladesPerArea = bladesPerArea(*field.seeds->meadow),
                       .stored = field.seeds->meadow->stored,
                       .blades = double(field.blades.size()) /
-                                std::max(field.seeds->meadow->stored, 1e-12)};
+                                std::max(field.seeds->meadow->stored, 1e-12),
+                      .levels = double(field.seeds->meadow->levels)};
         sowing = std::make_unique<Sowing>(context, shaders, field, std::move(settings.sown),
                                           settings.sowing);
     }
