@@ -14,11 +14,13 @@
 #include <cstring>
 #include <string>
 #include <type_traits>
+#include <utility>
 
 namespace sward::field {
 namespace {
 
 constexpr std::array<char, 8> deltaMagic{'S', 'W', 'D', 'E', 'L', 'T', 'A', '1'};
+constexpr std::array<char, 8> seededMagic{'S', 'W', 'D', 'E', 'L', 'T', 'A', '2'}; // with seeds
 
 struct DeltaHeader {
     std::array<char, 8> magic = deltaMagic;
@@ -37,7 +39,20 @@ struct DeltaCell {
 };
 static_assert(sizeof(DeltaCell) == 40);
 
+// What bears in a cell: numbers of elements.
+struct DeltaSeeds {
+    std::array<std::int32_t, 3> cell = {};
+    std::uint32_t vertices = 0;
+    std::uint32_t pieces = 0;
+    std::uint32_t clumps = 0;
+    std::uint32_t conditions = 0;
+    std::uint32_t words = 0;
+};
+static_assert(sizeof(DeltaSeeds) == 32);
+constexpr std::array<std::uint32_t, 1> padding{0};
+
 // All parts have lengths that are multiples of 8, so that no byte lies between them.
+// Seeds of a cell, whose lengths are multiples of 4, are followed by 4 bytes if need be.
 static_assert(sizeof(shared::Patch) % 8 == 0 && sizeof(shared::PackedBlade) % 8 == 0 &&
               sizeof(BladeKey) % 8 == 0);
 
@@ -90,6 +105,35 @@ void requireCell(const CellChange& change, std::span<const Species> species,
     verifyBlades(view, place);
 }
 
+bool isOdd(const DeltaSeeds& seeds)
+{
+    const std::uint64_t words =
+        std::uint64_t(seeds.clumps) * (sizeof(shared::SeedClump) / 4) + seeds.words;
+    return words % 2 != 0;
+}
+
+// What bears in a cell, in the order of its counts.
+std::shared_ptr<const SeedCell> takeSeeds(DeltaCursor& cursor, const DeltaSeeds& counts,
+                                          const std::string& place)
+{
+    const auto cell = std::make_shared<SeedCell>();
+    cell->cell = counts.cell;
+    const auto take = [&](auto& to, std::uint32_t count, const char* what) {
+        using Element = typename std::remove_reference_t<decltype(to)>::value_type;
+        const auto from = cursor.take<Element>(count, what);
+        to.assign(from.begin(), from.end());
+    };
+    take(cell->vertices, counts.vertices, "vertices of seeds");
+    take(cell->pieces, counts.pieces, "pieces of seeds");
+    take(cell->clumps, counts.clumps, "clumps of seeds");
+    take(cell->conditions, counts.conditions, "conditions of seeds");
+    take(cell->words, counts.words, "words of seeds");
+    if (isOdd(counts))
+        cursor.take<std::uint32_t>(1, "bytes behind seeds");
+    verifySeedCell(*cell, place);
+    return cell;
+}
+
 } // namespace
 
 void writeDelta(const std::filesystem::path& path, const Delta& delta)
@@ -107,6 +151,28 @@ void writeDelta(const std::filesystem::path& path, const Delta& delta)
         parts.push_back(bytesOf(change.patches));
         parts.push_back(bytesOf(change.blades));
         parts.push_back(bytesOf(change.keys));
+    }
+    const std::array<std::uint64_t, 1> seededCells{delta.seeds.size()};
+    std::vector<DeltaSeeds> seeds;
+    for (const std::shared_ptr<const SeedCell>& one : delta.seeds) {
+        const SeedEntry entry = entryOf(*one);
+        seeds.push_back({entry.cell, entry.vertices, entry.pieces, entry.clumps, entry.conditions,
+                         entry.words});
+    }
+    if (!seeds.empty()) {
+        header.magic = seededMagic;
+        parts.push_back(std::as_bytes(std::span(seededCells)));
+        parts.push_back(bytesOf(std::span<const DeltaSeeds>(seeds)));
+    }
+    for (std::size_t i = 0; i < seeds.size(); ++i) {
+        const SeedCell& cell = *delta.seeds[i];
+        parts.push_back(std::as_bytes(std::span(cell.vertices)));
+        parts.push_back(std::as_bytes(std::span(cell.pieces)));
+        parts.push_back(std::as_bytes(std::span(cell.clumps)));
+        parts.push_back(std::as_bytes(std::span(cell.conditions)));
+        parts.push_back(std::as_bytes(std::span(cell.words)));
+        if (isOdd(seeds[i]))
+            parts.push_back(std::as_bytes(std::span(padding)));
     }
 
     const std::span<const std::byte> hashedHeader =
@@ -138,8 +204,9 @@ Delta readDelta(const std::filesystem::path& path, std::span<const Species> spec
         fail(ErrorKind::input, "{}: {} bytes, too short for the header of a delta ({})", place,
              bytes.size(), sizeof header);
     std::memcpy(&header, bytes.data(), sizeof header);
-    if (header.magic != deltaMagic)
-        fail(ErrorKind::input, "{}: not a delta (it does not begin with \"SWDELTA1\")", place);
+    if (header.magic != deltaMagic && header.magic != seededMagic)
+        fail(ErrorKind::input,
+             "{}: not a delta (it begins with neither \"SWDELTA1\" nor \"SWDELTA2\")", place);
     if (header.fileBytes != bytes.size())
         fail(ErrorKind::input, "{}: {} bytes instead of {}", place, bytes.size(), header.fileBytes);
     if (XXH3_64bits(bytes.data() + unhashedBytes, bytes.size() - unhashedBytes) != header.hash)
@@ -162,6 +229,16 @@ Delta readDelta(const std::filesystem::path& path, std::span<const Species> spec
         change.blades = cursor.take<shared::PackedBlade>(cell.blades, "blades");
         change.keys = cursor.take<BladeKey>(cell.blades, "keys");
         requireCell(change, species, name);
+    }
+    if (header.magic == seededMagic) {
+        const std::uint64_t count = cursor.take<std::uint64_t>(1, "number of seeds").front();
+        for (const DeltaSeeds& counts : cursor.take<DeltaSeeds>(count, "cells of seeds")) {
+            const std::string name = fmt::format("{}: seeds of cell ({}, {}, {})", place,
+                                                 counts.cell[0], counts.cell[1], counts.cell[2]);
+            if (!delta.seeds.empty() && delta.seeds.back()->cell >= counts.cell)
+                fail(ErrorKind::input, "{}: do not follow the ones before them", name);
+            delta.seeds.push_back(takeSeeds(cursor, counts, name));
+        }
     }
     if (cursor.left() != 0)
         fail(ErrorKind::input, "{}: {} bytes follow the last cell", place, cursor.left());

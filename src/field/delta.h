@@ -1,6 +1,7 @@
 #pragma once
 
 #include "field/field.h"
+#include "field/seeds/seeds.h"
 #include "shaders/shared/blade.h"
 #include "shaders/shared/patch.h"
 
@@ -32,6 +33,10 @@ struct Delta {
     glm::dvec3 origin{0.0};              ///< of the field; a cell's positions are relative to it
     std::vector<CellChange> cells;       ///< sorted by number, each once
     std::shared_ptr<const void> storage; ///< what the spans view
+
+    /// Of a field with seeds: what bears in the changed cells now, in rising order, each once and
+    /// never null. Without pieces: nothing does.
+    std::vector<std::shared_ptr<const SeedCell>> seeds{};
 };
 
 /// Writes a delta; the file appears whole or not at all, but is not synchronised

@@ -146,6 +146,25 @@ class Edit(CliTest):
         self.assertIn("other options", other.ready["warnings"][-1])
         self.assertEqual(other.end(), 0)
 
+    def test_fields_with_seeds_are_painted(self):
+        ground = self.ground()
+        options = ("--density", "3", "--seeds", "always")
+        field = self.bake(ground, *options)
+        session = self.session(ground, "--field", field, "--as-baked", "-q")
+        self.assertEqual((session.ready["reused"], session.ready["seeds"]), (True, True))
+        strokes = [stroke("erase", (0, 0, 0), (9, 0, 2)), stroke("add", (20, 0, 5), ceiling=2)]
+        answer = session.paint(0, *strokes)
+        self.assertLessEqual(answer["cells"], 4)
+        self.assertEqual(Path(answer["delta"]).read_bytes()[:8], b"SWDELTA2")
+        session.ask({"id": 1, "do": "save", "path": "painted.sward"})
+        session.paint(0)
+        session.ask({"id": 1, "do": "save", "path": "undone.sward"})
+        self.assertEqual(session.end(), 0)
+        path = self.write_json("wanted.json", {"format": "sward strokes 1", "strokes": strokes})
+        wanted = self.bake(ground, *options, "--paint", path.name, to="wanted.sward")
+        self.assertEqual(digest(self.folder / "painted.sward"), digest(wanted))
+        self.assertEqual(digest(self.folder / "undone.sward"), digest(field))
+
     def heights(self, name, hill):
         """A heightmap of 65 x 65 samples, 2 m apart, with a hill of 6 m in one corner, or without."""
         rows = [[4000 + (hill and max(0, 6553 - 800 * ((x - 8) ** 2 + (y - 8) ** 2))) for x in range(65)]

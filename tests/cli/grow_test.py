@@ -5,7 +5,7 @@ import unittest
 
 import numpy
 
-from support import INPUT, IO, UNSUPPORTED, USAGE, CliTest
+from support import INPUT, IO, USAGE, CliTest
 
 # 40 m of hills; without rays and filters, a bake and its seeds agree blade by blade.
 HILLS = ("hills", "--density", 60, "--sky-rays", 0, "--slope", "0:180", "--seed", 9)
@@ -32,6 +32,19 @@ class Grow(CliTest):
         self.assertRegex(told, r"only in B +0\n")
         # Single precision decides anew which of two clumps is nearer.
         self.assertRegex(told, r"blades of different traits +\d\n")
+
+    def test_strokes_are_sown(self):
+        strokes = self.write_json("strokes.json", {"format": "sward strokes 1", "strokes": [
+            {"kind": "erase", "radius_m": 3, "points": [[-4, 0, 0], [6, 0, 2]]},
+            {"kind": "add", "radius_m": 4, "ceiling": 2, "points": [[8, 0, -8]]},
+            {"kind": "height", "radius_m": 3, "factor": 1.5, "points": [[-8, 0, 8]]}]})
+        options = ("--paint", strokes.name)
+        grown = self.grow(self.seeded(*options))
+        self.sward("validate", self.folder / "seeded.sward")
+        told = self.sward("compare", self.bake(*HILLS, *options, to="plain.sward"), grown, "--match", "id",
+                          code=7).stdout
+        self.assertRegex(told, r"only in A +\d\n")
+        self.assertRegex(told, r"only in B +\d\n")
 
     def test_growing_twice_gives_the_same_bytes(self):
         seeded = self.seeded()
@@ -139,7 +152,6 @@ class Grow(CliTest):
                               ("--around", "1,2,3,-4"), ("--share", "2")):
             self.refused("grow", seeded, "-o", "g.sward", f"{option}={value}", code=USAGE, names=[option])
         self.refused("grow", seeded, "-o", "g.sward", "--max-blades", 10, code=INPUT, names=["--max-blades"])
-        self.refused("edit", "hills", "--field", seeded, code=UNSUPPORTED, names=["seeds"])
         self.refused("grow", "no.sward", "-o", "g.sward", code=IO, names=["no.sward"])
         self.refused("grow", seeded, "-o", seeded, "--force", code=USAGE, names=["seeded.sward"])
 

@@ -264,9 +264,20 @@ void addDeltas(std::vector<Sample>& all)
                              .cells = {{{0, 0, -1}, {}, {}, {}},
                                        {{0, 0, 1}, field.patches, field.blades, field.keys}},
                              .storage = {}});
-    const std::vector<std::byte> bytes = readFile(path);
-    all.push_back({"field_delta", "change.swdelta",
-                   std::string(reinterpret_cast<const char*>(bytes.data()), bytes.size())});
+    const auto add = [&](const char* name) {
+        const std::vector<std::byte> bytes = readFile(path);
+        all.push_back({"field_delta", name,
+                       std::string(reinterpret_cast<const char*>(bytes.data()), bytes.size())});
+    };
+    add("change.swdelta");
+    const auto bare = std::make_shared<field::SeedCell>();
+    bare->cell = {0, 0, 7};
+    field::writeDelta(path, {.origin = field.origin,
+                             .cells = {{{0, 0, 1}, field.patches, field.blades, field.keys}},
+                             .storage = {},
+                             .seeds = {std::make_shared<const field::SeedCell>(tests::seedCell()),
+                                       bare}});
+    add("seeded.swdelta");
     std::filesystem::remove(path);
 }
 

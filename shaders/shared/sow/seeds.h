@@ -26,13 +26,14 @@ struct SeedPiece {
     uint count;      ///< entries; 0: it bears but clump centres here
     float expected;  ///< λA: expected number of candidates of the whole triangle side
     uint form;    ///< p 0–4, q 5–9, steps of the grid of conditions along s 10–17 and along v
-                  ///< 18–25, back side 31
+                  ///< 18–25; 26–27: strokes make blades up to 2ⁿ times as high; back side 31
     uint low;     ///< the lowest p bits of all its candidates
     uint target;  ///< the lowest q bits of pascal(candidate)
     uint sStart;  ///< [2⁻³²] least s = √u
     uint sScale;  ///< grid steps in 2⁻⁴⁸ per 2⁻³² of s
     uint records; ///< first of its (steps + 1)·(steps + 1) conditions, v by v
-    uint bits;    ///< first word of one bit an entry, set if it grows; noSeedBits: by density
+    uint bits;    ///< first word of one bit an entry, set if it grows; noSeedBits: by density.
+                  ///< Entries beyond the expected candidates, for which strokes ask, have bits
     uint creases; ///< word with the number of SeedCrease near it, then their first words; its
                   ///< corners have normals instead of up-vectors. noSeedBits: no crease is near
 };
@@ -66,8 +67,9 @@ struct SeedConditions {
                  ///< SowMeadow::room; 255: no bound
     uint lean;   ///< x 0–7, y 8–15, z 16–23: (127 + 127 times a component) of a direction, as
                  ///< long as the share by which blades turn to it
-    uint share[2];  ///< share of the density of species 0–7, a byte each; if they are mixed
-    uint vigour[2]; ///< vigour of species 0–7, a byte each; if they are mixed
+    uint share[2];  ///< share of the density of species 0–7, a byte each, if they are mixed; else
+                    ///< what strokes sow, and the meadow's shares for the rest
+    uint vigour[2]; ///< vigour of species 0–7, a byte each; if they are mixed or strokes sow any
 };
 SHARED_LAYOUT(SeedConditions, 32)
 
@@ -100,12 +102,12 @@ struct SowMeadow {
     uint unitBits;         ///< 11 to 24
     uint levels;           ///< number of the finest level: see sowLevel()
     uint speciesCount;     ///< 1 to 8
-    uint isMixed;          ///< 1: shares and vigour of species are in the conditions
+    uint isMixed;          ///< 1: shares and vigour of species are in all conditions
     float heightWaves;     ///< [0, 0.5]
     float drifts;          ///< [0, 1]
     float sparseHeight;    ///< [0, 1]
     float room;            ///< [m] of 255 in SeedConditions::size
-    float heightsPerMetre; ///< 255 / largest height
+    float heightsPerMetre; ///< 255 / largest height; of a cell, see sowHeightScale()
     float widthsPerMetre;  ///< 63 / largest width
     float wideVariation;   ///< [0, 1]
     float windX;           ///< unit with windZ: where lain grass lies on level ground

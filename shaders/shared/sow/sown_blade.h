@@ -52,6 +52,25 @@ SHARED_FN float sowWaveOf(ivec3 place, uint slot, uint ribbons, SowWaves waves)
     return sowInside(wave) * sowInside(stand);
 }
 
+/// Byte of a species in two words.
+SHARED_FN uint sowByteOf(uint first, uint second, uint slot)
+{
+    return ((slot < 4u ? first : second) >> (8u * (slot & 3u))) & 255u;
+}
+
+/// Whether conditions say vigour of each species: everywhere, or where strokes sow species.
+SHARED_FN bool sowIsMixed(SowMeadow meadow, SeedConditions conditions)
+{
+    return meadow.isMixed != 0u || (conditions.share[0] | conditions.share[1]) != 0u;
+}
+
+/// Factor on SowMeadow::heightsPerMetre of a piece that strokes change. A cell has its least.
+SHARED_FN float sowHeightScale(SeedPiece piece)
+{
+    const uint doublings = (piece.form >> 26u) & 3u;
+    return doublings == 0u ? 1.0f : doublings == 1u ? 0.5f : doublings == 2u ? 0.25f : 0.125f;
+}
+
 /// The species of a candidate by shares, drifts and clump: as bake::BladeChooser.
 SHARED_FN uint sowSpecies(SowMeadow meadow, SeedConditions conditions, ivec3 place, uint64_t own,
                           uint64_t clump, SowWaves waves)
@@ -60,11 +79,23 @@ SHARED_FN uint sowSpecies(SowMeadow meadow, SeedConditions conditions, ivec3 pla
         return 0u;
     float share[8];
     float total = 0.0f;
+    uint painted = 0u;
     for (uint slot = 0u; slot < meadow.speciesCount; ++slot) {
-        share[slot] = meadow.isMixed != 0u
-                          ? float((conditions.share[slot >> 2u] >> (8u * (slot & 3u))) & 255u)
-                          : meadow.species.at[slot].share;
+        const uint said = sowByteOf(conditions.share[0], conditions.share[1], slot);
+        share[slot] = meadow.isMixed != 0u ? float(said) : meadow.species.at[slot].share;
         total += share[slot];
+        painted += said;
+    }
+    // Strokes leave a share of the blades to what the meadow chooses.
+    if (meadow.isMixed == 0u && painted > 0u) {
+        const float kept = float(255u - min(painted, 255u));
+        float sum = 0.0f;
+        for (uint slot = 0u; slot < meadow.speciesCount; ++slot) {
+            const uint said = sowByteOf(conditions.share[0], conditions.share[1], slot);
+            share[slot] = kept * share[slot] + total * float(said);
+            sum += share[slot];
+        }
+        total = sum;
     }
     if (meadow.drifts > 0.0f && total > 0.0f) {
         float wave[8];
@@ -325,8 +356,8 @@ SHARED_FN SownBlade sowBlade(SowMeadow meadow, SowRoot root, SowClump clump,
     const float stiff = ownStiffness + 0.5f * species.clumping *
                                            (sowOwn(clumpBits, sowStiffnessDice) - ownStiffness);
     const uint vigourByte =
-        meadow.isMixed != 0u
-            ? (conditions.vigour[sown.species >> 2u] >> (8u * (sown.species & 3u))) & 255u
+        sowIsMixed(meadow, conditions)
+            ? sowByteOf(conditions.vigour[0], conditions.vigour[1], sown.species)
             : (conditions.size >> 16u) & 255u;
     const float vigour = float(vigourByte) * 0.00392156863f;
     float height = (species.heightLow + tall * species.heightRange) *

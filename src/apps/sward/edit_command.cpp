@@ -86,15 +86,14 @@ public:
         std::optional<field::FieldView> view;
         if (!field_.empty())
             view = baked.emplace(field::readField(field_)).view();
-        if (view && view->seeds != nullptr)
-            fail(ErrorKind::unsupported,
-                 "{}: holds seeds, which edits do not change; bake it with --seeds never", field_);
         if (asBaked_)
             requireNoneOf(settingsInFields);
         BakeRequest request =
             asBaked_ ? options_.requestAsBaked(*view->provenance, field_) : options_.request();
 
-        request.settings.seeds = bake::SeedUse::never;
+        // Who names a field with seeds can sow.
+        const bool isSeeded = view && view->seeds != nullptr;
+        request.settings.seeds = isSeeded ? bake::SeedUse::always : bake::SeedUse::never;
 
         Diagnostics diagnostics;
         const terrain::GroundMesh ground = loadGround(request, diagnostics);
@@ -154,6 +153,7 @@ private:
                                       {"species", speciesNames(request.settings)},
                                       {"scale", session.plan().plan.scale},
                                       {"reused", session.hasReused()},
+                                      {"seeds", session.hasSeeds()},
                                       {"lost", lostStrokes(session.contacts(), 0)},
                                       {"warnings", diagnostics.warnings()}};
         writeResult(jsonText(ready) + "\n");

@@ -54,8 +54,7 @@ RootFilter::RootFilter(const terrain::GroundMesh& ground, const BakeSettings& se
         occluders_.emplace(ground, *query);
     if (query != nullptr && needsSky(settings))
         sky_.emplace(ground, settings, settings.rayLength * scale, *query);
-    if (!settings.strokes.empty())
-        painting_.emplace(settings.strokes, ground.origin, ground.bounds());
+    repaint(settings.strokes);
 
     const Habitat& everywhere = everybody_.habitat();
     needsSite_ = everywhere.needsSlope() || everywhere.needsAltitude() ||
@@ -65,6 +64,13 @@ RootFilter::RootFilter(const terrain::GroundMesh& ground, const BakeSettings& se
               settings.minIsland > 0.0 || border_.has_value();
     needsObstacles_ = settings.clearance > 0.0 || !excluded_.empty() || occluders_.has_value() ||
                       sky_.has_value();
+}
+
+void RootFilter::repaint(const Strokes& strokes)
+{
+    painting_.reset();
+    if (!strokes.empty())
+        painting_.emplace(strokes, ground_.origin, ground_.bounds());
 }
 
 glm::dvec3 RootFilter::groundUpAt(const RootSample& root) const
@@ -175,13 +181,14 @@ void RootFilter::paintStand(const RootSample& root, Stand& stand) const
     }
 }
 
-Stand RootFilter::standAt(const RootSample& root) const
+Stand RootFilter::standAt(const RootSample& root, bool paints) const
 {
+    paints = paints && painting_;
     Stand stand;
     stand.shares = mix_.evenShares();
     stand.vigour.fill(1.0);
     if (!weighs_) {
-        if (painting_)
+        if (paints)
             paintStand(root, stand);
         return stand;
     }
@@ -196,7 +203,7 @@ Stand RootFilter::standAt(const RootSample& root) const
         vigour *= stand.weight;
     if (mix_.needsPlace())
         stand.weight *= stand.shares.total;
-    if (painting_)
+    if (paints)
         paintStand(root, stand);
     return stand;
 }

@@ -69,8 +69,11 @@ public:
     /// Runs the tests that cast rays. Returns the reason for a rejection, or none.
     std::optional<Reject> obstacle(const RootSample& root) const;
 
-    /// Growing conditions for a blade at a root.
-    Stand standAt(const RootSample& root) const;
+    /// Growing conditions for a blade at a root; without strokes unless `paints`.
+    Stand standAt(const RootSample& root, bool paints = true) const;
+
+    /// Replaces all strokes; they must outlive the filter. Not thread-safe.
+    void repaint(const Strokes& strokes);
 
 private:
     Site siteOf(const RootSample& root) const;

@@ -54,6 +54,11 @@ public:
     /// Whether a stroke may raise the density above 1 in a box.
     bool mayRaise(const Aabb& box) const;
 
+    /// The strokes that change what these are named after.
+    const StrokeGrid& density() const { return density_; }
+    const StrokeGrid& species() const { return species_; }
+    const StrokeGrid& look() const { return look_; }
+
 private:
     // A stroke that reaches a point: its nearest capsule of those that belong to the same surface.
     struct Hit {

@@ -51,8 +51,6 @@ const char* unsownSetting(const BakeSettings& settings, double scale)
         return "--sampling poisson: the place of a Poisson disk depends on its neighbours";
     if (settings.count)
         return "--count: it chooses among all candidates; use --density";
-    if (!settings.strokes.empty())
-        return "--paint: strokes are baked into blades";
     if (growsTufts(settings.meadow))
         return "a meadow with tufts: their blades are moved on the ground";
     if (scale < smallestSeedScale)
@@ -226,6 +224,13 @@ double seedMargin(const terrain::GroundMesh& ground, const BakeSettings& setting
            1.001;
 }
 
+SeedPlaces seedPlacesOf(const terrain::GroundMesh& ground, const BakeSettings& settings,
+                        const field::SeedMeadow& meadow, const TileRegion* tile)
+{
+    return seedPlaces(ground, settings, SeedUnits(meadow.unitBits), meadow.clumpSpacing,
+                      clumpReach(meadow), tile);
+}
+
 field::Seeds makeSeeds(const GroundView& part, const BakeSettings& settings, const BakePlan& plan,
                        const TileRegion* tile, const TakeSeedCell& take, Progress& progress)
 {
@@ -233,11 +238,10 @@ field::Seeds makeSeeds(const GroundView& part, const BakeSettings& settings, con
     field::Seeds seeds;
     seeds.meadow = *plan.seeds;
     const SeedUnits units(seeds.meadow.unitBits);
-    const RootFilter filter(ground, settings, part.rays, &part.features, plan.plan.scale);
+    RootFilter filter(ground, settings, part.rays, &part.features, plan.plan.scale);
     const SeedSites sites(ground, settings, plan.plan.scale, seeds.meadow, filter, part.rays,
                           part.features);
-    const SeedPlaces places = seedPlaces(ground, settings, units, seeds.meadow.clumpSpacing,
-                                         clumpReach(seeds.meadow), tile);
+    const SeedPlaces places = seedPlacesOf(ground, settings, seeds.meadow, tile);
     const SeedCells maker(ground, settings, seeds.meadow, units, sites, places.centreCount);
 
     // The ranges of all cells that triangles touch, then batches of them: cells are made by several

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "bake/seeds/seed_places.h"
 #include "bake/settings/settings.h"
 #include "bake/tiles/bake_tile.h"
 #include "core/diagnostics.h"
@@ -27,6 +28,10 @@ void planSeeds(const terrain::GroundMesh& ground, const BakeSettings& settings, 
 /// Width of the ground around its cells that a tile of seeds needs [m].
 double seedMargin(const terrain::GroundMesh& ground, const BakeSettings& settings,
                   const BakePlan& plan);
+
+/// The parts and centres of the seeds of a meadow: see seedPlaces().
+SeedPlaces seedPlacesOf(const terrain::GroundMesh& ground, const BakeSettings& settings,
+                        const field::SeedMeadow& meadow, const TileRegion* tile);
 
 /// Takes a cell of seeds; called by several threads, in any order.
 using TakeSeedCell = std::function<void(const field::SeedCell& cell)>;

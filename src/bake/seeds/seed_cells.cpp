@@ -2,6 +2,7 @@
 
 #include "bake/blades/clumps.h"
 #include "bake/sample/triangle_points.h"
+#include "bake/seeds/seed_pieces.h"
 #include "core/error.h"
 #include "core/random.h"
 #include "shaders/shared/sow/sown_blade.h"
@@ -42,8 +43,6 @@ constexpr std::int32_t unknownMoisture = std::numeric_limits<std::int32_t>::min(
 
 // Where their densities differ by less, in 65535ths, it does so, too.
 constexpr std::uint32_t evenDensity = 1000;
-
-constexpr double maxCandidatesOfSide = 2147483647.0;
 
 std::string_view bytesOf(const shared::SeedConditions& conditions)
 {
@@ -88,22 +87,6 @@ bool areEven(const std::vector<shared::SeedConditions>& list, float evenExposure
            lightest - darkest <= evenBytes;
 }
 
-// The lowest `bits` bits of x whose image under a map of low bits to low bits is `wanted`.
-template <typename Map>
-std::uint32_t invertLowBits(std::uint32_t wanted, std::uint32_t bits, Map map)
-{
-    std::uint32_t x = 0;
-    for (std::uint32_t bit = 0; bit < bits; ++bit)
-        if (((map(x) ^ wanted) >> bit & 1U) != 0)
-            x |= 1U << bit;
-    return x;
-}
-
-std::uint32_t reversedBits(std::uint32_t x, std::uint32_t bits)
-{
-    return bits == 0 ? 0 : shared::sowReverse(x) >> (32U - bits);
-}
-
 // What the corners of a whole triangle tell of it.
 struct CornerSites {
     enum class Kind {
@@ -122,6 +105,20 @@ struct CornerSites {
     }
 };
 
+// Where strokes change how blades look, conditions are sampled as densely as a share of their
+// radius, within these bounds [m].
+constexpr double sampleOfRadius = 0.2;
+constexpr double finestPainted = 0.0625;
+
+// Doublings of the height of blades that SeedPiece::form holds.
+std::uint32_t doublingsOf(double tallest)
+{
+    std::uint32_t doublings = 0;
+    while (doublings < 3 && std::ldexp(1.0, int(doublings)) < tallest)
+        ++doublings;
+    return doublings;
+}
+
 // A grid of places of a part.
 struct SampleGrid {
     std::uint32_t alongS = 1;
@@ -133,8 +130,9 @@ struct SampleGrid {
 // Gathers one cell.
 class SeedCells::Builder {
 public:
-    Builder(const SeedCells& of, const SeedCellNumber& cell)
+    Builder(const SeedCells& of, const SeedCellNumber& cell, const Former* former)
         : of_(of)
+        , former_(former)
         , clumpKey_(clumpKeyOf(of.settings_.seed))
     {
         result_.cell = cell;
@@ -143,11 +141,17 @@ public:
     void add(const SeedPart& part)
     {
         const TrianglePoints points(of_.ground_, part.triangle);
-        shared::SeedPiece piece = pieceOf(part);
-        if (piece.count == 0)
+        shared::SeedPiece piece = pieceOf(of_.ground_, of_.settings_.seed, of_.meadow_.density, part);
+        const std::array<std::uint32_t, 2> s = rangeOfS(part);
+        const DAabb box = boxOfPart(of_.ground_, part);
+        const shared::SeedPiece* const before = nextFormer(piece);
+        if (former_ != nullptr && !former_->isTouched(box)) {
+            if (before == nullptr)
+                return;
+            takeFormer(*before, piece);
+        } else if (!setConditions(part, points, s, box, piece)) {
             return;
-        if (!setConditions(part, points, piece))
-            return;
+        }
         setCreases(part, piece);
         setCorners(part, points, piece);
         pieceOf_.try_emplace(part.triangle, static_cast<std::uint32_t>(result_.pieces.size()));
@@ -175,8 +179,10 @@ public:
             result_.vertices[piece.corners[0]], result_.vertices[piece.corners[1]],
             result_.vertices[piece.corners[2]],
             shared::sowClumpKey(clumpKey_, piece.source, centre.number));
-        result_.clumps.push_back(
-            {found->second, centre.number, of_.moistureOf(centre, positionOf(place))});
+        const std::int32_t moisture = former_ != nullptr
+                                          ? former_->cell.clumps[result_.clumps.size()].moisture
+                                          : of_.moistureOf(centre, positionOf(place));
+        result_.clumps.push_back({found->second, centre.number, moisture});
     }
 
     bool growsAnything() const
@@ -188,40 +194,53 @@ public:
     field::SeedCell finish() { return std::move(result_); }
 
 private:
-    // Corners, numbers and candidates of a part.
-    shared::SeedPiece pieceOf(const SeedPart& part)
+    // The piece of the former cell that is this part; null if nothing grew on it. Parts come in the
+    // order of its pieces.
+    const shared::SeedPiece* nextFormer(const shared::SeedPiece& piece)
     {
-        const terrain::GroundMesh& ground = of_.ground_;
-        shared::SeedPiece piece = {};
-        piece.source = ground.source(part.triangle);
-        piece.bits = shared::noSeedBits;
-        piece.creases = shared::noSeedBits;
-        piece.form = part.p | part.q << 5U | part.back << 31U;
-        const double expected = of_.meadow_.density * ground.area(part.triangle);
-        const double count =
-            std::floor(expected + roundingShare(of_.settings_.seed, piece.source, part.back != 0));
-        if (count > maxCandidatesOfSide)
-            fail(ErrorKind::input,
-                 "--seeds: triangle {} of {:.6g} m² would bear {:.6g} blades, more than {}; divide "
-                 "the ground into smaller ones, or lower --density",
-                 piece.source, ground.area(part.triangle), count, maxCandidatesOfSide);
-        piece.expected = static_cast<float>(expected);
-        const auto all = static_cast<std::uint32_t>(count);
-        if (part.p + part.q == 0) {
-            piece.count = all;
-        } else {
-            const glm::uvec2 sequence =
-                shared::sowSequence(of_.settings_.seed, piece.source, part.back);
-            piece.low = invertLowBits(reversedBits(part.u, part.p), part.p, [&](std::uint32_t x) {
-                return shared::sowScramble(x, sequence.x);
-            });
-            piece.target =
-                invertLowBits(reversedBits(part.v, part.q), part.q,
-                              [&](std::uint32_t x) { return shared::sowScramble(x, sequence.y); });
-            const std::uint32_t whole = all >> (part.p + part.q);
-            piece.count = whole + (shared::sowCandidate(piece, whole) < all ? 1 : 0);
+        if (former_ == nullptr || nextFormer_ == former_->cell.pieces.size())
+            return nullptr;
+        constexpr std::uint32_t partBits = 1023U | 1U << 31U;
+        const shared::SeedPiece& next = former_->cell.pieces[nextFormer_];
+        if (next.count == 0 || next.source != piece.source ||
+            ((next.form ^ piece.form) & partBits) != 0 || next.low != piece.low ||
+            next.target != piece.target)
+            return nullptr;
+        ++nextFormer_;
+        return &next;
+    }
+
+    // Takes number, bits and conditions of a part as they were.
+    void takeFormer(const shared::SeedPiece& before, shared::SeedPiece& piece)
+    {
+        const field::SeedCell& cell = former_->cell;
+        piece.count = before.count;
+        piece.form = before.form;
+        piece.sStart = before.sStart;
+        piece.sScale = before.sScale;
+        if (before.bits != shared::noSeedBits) {
+            const auto from = cell.words.begin() + std::ptrdiff_t(before.bits);
+            piece.bits = static_cast<std::uint32_t>(result_.words.size());
+            result_.words.insert(result_.words.end(), from,
+                                 from + std::ptrdiff_t((std::size_t(before.count) + 31) / 32));
         }
-        return piece;
+        const std::size_t points =
+            std::size_t((before.form >> 10U & 255U) + 1) * ((before.form >> 18U & 255U) + 1);
+        piece.records = addConditions(std::span(cell.conditions).subspan(before.records, points));
+    }
+
+    // First of these conditions in the cell; single ones are shared.
+    std::uint32_t addConditions(std::span<const shared::SeedConditions> list)
+    {
+        const auto next = static_cast<std::uint32_t>(result_.conditions.size());
+        if (list.size() == 1) {
+            const auto [found, isNew] =
+                conditionsOf_.try_emplace(std::string(bytesOf(list.front())), next);
+            if (!isNew)
+                return found->second;
+        }
+        result_.conditions.insert(result_.conditions.end(), list.begin(), list.end());
+        return next;
     }
 
     // A position relative to the ground's origin [m].
@@ -274,13 +293,6 @@ private:
         return found->second;
     }
 
-    RootSample rootAt(const SeedPart& part, const TrianglePoints& points, double b, double c,
-                      std::uint32_t number) const
-    {
-        return points.at(static_cast<float>(b), static_cast<float>(c),
-                         number | (part.back != 0 ? backSide : 0U));
-    }
-
     void setCorners(const SeedPart& part, const TrianglePoints& points, shared::SeedPiece& piece)
     {
         const glm::uvec3 corners = of_.ground_.triangles[part.triangle];
@@ -303,47 +315,47 @@ private:
     }
 
     // Samples the conditions of a part; false if nothing grows there.
-    bool setConditions(const SeedPart& part, const TrianglePoints& points, shared::SeedPiece& piece)
+    bool setConditions(const SeedPart& part, const TrianglePoints& points,
+                       const std::array<std::uint32_t, 2>& s, const DAabb& box,
+                       shared::SeedPiece& piece)
     {
-        const std::array<std::uint32_t, 2> s = rangeOfS(part);
+        const PaintedPart painted = of_.sites_.paintedIn(box);
+        if (piece.count == 0 && painted.highest <= 1.0)
+            return false;
         std::vector<shared::SeedConditions> list;
         SampleGrid grid;
-        const bool varies = of_.sites_.varies(part.triangle, boxOf(part, points, s));
-        const CornerSites corners = varies ? CornerSites() : sampleCorners(part, points, list);
-        if (corners.kind != CornerSites::Kind::linear &&
-            (varies || !isEvenPart(part, points, s, list))) {
-            grid = gridOf(part, s, finestSample);
-            sampleGrid(part, points, s, grid, corners, list);
+        const bool varies = of_.sites_.varies(part.triangle, box);
+        const CornerSites corners =
+            varies ? CornerSites() : sampleCorners(part, points, painted, list);
+        const bool isLinear = corners.kind == CornerSites::Kind::linear && !painted.look;
+        if (!isLinear && (varies || painted.look || !isEvenPart(part, points, s, painted, list))) {
+            grid = gridOf(part, s,
+                          std::clamp(sampleOfRadius * painted.finest, finestPainted, finestSample));
+            sampleGrid(part, points, s, grid, corners, painted, list);
         }
-        const bool isBare = std::all_of(list.begin(), list.end(),
-                                        [](const auto& one) { return densityOf(one) == 0; });
-        if (isBare)
+        const auto isZero = [](const auto& one) { return densityOf(one) == 0; };
+        if (!painted.density && std::all_of(list.begin(), list.end(), isZero))
             return false;
-        const bool isSharp = std::any_of(list.begin(), list.end(),
-                                         [](const auto& one) { return densityOf(one) == 0; });
-        if (isSharp && !setBits(part, points, piece))
+        const bool isSharp = painted.density || std::any_of(list.begin(), list.end(), isZero);
+        if (isSharp && !setBits(part, points, painted.highest, piece))
             return false;
+        piece.form |= doublingsOf(painted.tallest) << 26U;
         if (areEqual(list)) {
-            const auto [found, isNew] =
-                conditionsOf_.try_emplace(std::string(bytesOf(list.front())),
-                                          static_cast<std::uint32_t>(result_.conditions.size()));
-            if (isNew)
-                result_.conditions.push_back(list.front());
-            piece.records = found->second;
+            piece.records = addConditions({list.data(), 1});
             return true;
         }
-        piece.records = static_cast<std::uint32_t>(result_.conditions.size());
+        piece.records = addConditions(list);
         piece.form |= grid.alongS << 10U | grid.alongV << 18U;
         piece.sStart = s[0];
         piece.sScale = static_cast<std::uint32_t>(
             std::min((std::uint64_t(grid.alongS) << 48U) / (s[1] - s[0]),
                      std::uint64_t(std::numeric_limits<std::uint32_t>::max())));
-        result_.conditions.insert(result_.conditions.end(), list.begin(), list.end());
         return true;
     }
 
     // Conditions at the corners of a whole triangle, and how they go on between them.
     CornerSites sampleCorners(const SeedPart& part, const TrianglePoints& points,
+                              const PaintedPart& painted,
                               std::vector<shared::SeedConditions>& list)
     {
         CornerSites found;
@@ -363,7 +375,7 @@ private:
                 return found;
             SeedRays rays;
             rays.around.exposure = exposure;
-            at[std::size_t(k)] = of_.sites_.at(root, rays);
+            at[std::size_t(k)] = of_.sites_.at(root, rays, painted);
             low = std::min(low, exposure);
             high = std::max(high, exposure);
             sparsest = std::min(sparsest, densityOf(at[std::size_t(k)]));
@@ -380,40 +392,16 @@ private:
         return found;
     }
 
-    // Box of a part, whose image is a quadrilateral.
-    DAabb boxOf(const SeedPart& part, const TrianglePoints& points,
-                const std::array<std::uint32_t, 2>& s) const
-    {
-        DAabb box;
-        const glm::uvec3 corners = of_.ground_.triangles[part.triangle];
-        for (glm::length_t k = 0; part.p + part.q == 0 && k < 3; ++k)
-            box.add(glm::dvec3(of_.ground_.positions[corners[k]]));
-        for (std::uint32_t i = 0; part.p + part.q > 0 && i < 4; ++i)
-            box.add(
-                glm::dvec3(rootOn(part, points, s, double(i & 1U), double(i >> 1U), 0).position));
-        return box;
-    }
-
-    // The root at these shares of the way along s and v of a part.
-    RootSample rootOn(const SeedPart& part, const TrianglePoints& points,
-                      const std::array<std::uint32_t, 2>& s, double alongS, double alongV,
-                      std::uint32_t number) const
-    {
-        const double along = (double(s[0]) + double(s[1] - s[0]) * alongS) * 0x1p-32;
-        const double across = std::ldexp(double(part.v) + alongV, -int(part.q));
-        return rootAt(part, points, along * (1.0 - across), along * across, number);
-    }
-
     // Whether samples of a few metres tell that conditions vary hardly on a part of a large
     // triangle; then `list` has those of its corners.
     bool isEvenPart(const SeedPart& part, const TrianglePoints& points,
-                    const std::array<std::uint32_t, 2>& s,
+                    const std::array<std::uint32_t, 2>& s, const PaintedPart& painted,
                     std::vector<shared::SeedConditions>& list)
     {
         if (part.p + part.q == 0)
             return false;
         const SampleGrid grid = gridOf(part, s, coarsestSample);
-        sampleGrid(part, points, s, grid, CornerSites(), list);
+        sampleGrid(part, points, s, grid, CornerSites(), painted, list);
         if (!areEven(list, evenExposure(of_.settings_)))
             return false;
         const std::size_t lastRow = std::size_t(grid.alongV) * (grid.alongS + 1);
@@ -443,7 +431,8 @@ private:
 
     void sampleGrid(const SeedPart& part, const TrianglePoints& points,
                     const std::array<std::uint32_t, 2>& s, const SampleGrid& grid,
-                    const CornerSites& corners, std::vector<shared::SeedConditions>& list)
+                    const CornerSites& corners, const PaintedPart& painted,
+                    std::vector<shared::SeedConditions>& list)
     {
         list.clear();
         std::uint32_t number = 0;
@@ -452,39 +441,54 @@ private:
                 const RootSample root =
                     rootOn(part, points, s, double(column) / double(grid.alongS),
                            double(row) / double(grid.alongV), number);
-                if (corners.kind == CornerSites::Kind::evenRays) {
+                if (corners.kind != CornerSites::Kind::unknown) {
                     SeedRays rays;
                     rays.around.exposure = corners.at(root.barycentric);
-                    list.push_back(of_.sites_.at(root, rays));
+                    list.push_back(of_.sites_.at(root, rays, painted));
                 } else {
-                    list.push_back(of_.sites_.at(root, of_.sites_.raysAt(root)));
+                    list.push_back(of_.sites_.at(root, of_.sites_.raysAt(root), painted));
                 }
             }
     }
 
-    // Asks for each candidate; false if none grows.
-    bool setBits(const SeedPart& part, const TrianglePoints& points, shared::SeedPiece& piece)
+    // Asks for each candidate, of this density relative to the bake's; false if none grows.
+    bool setBits(const SeedPart& part, const TrianglePoints& points, double highest,
+                 shared::SeedPiece& piece)
     {
         const TriangleSequence sequence(of_.settings_.seed, piece.source, part.back != 0);
-        const auto first = static_cast<std::uint32_t>(result_.words.size());
-        result_.words.resize(first + (std::size_t(piece.count) + 31) / 32);
+        const std::uint32_t usual = piece.count;
+        const std::uint32_t all = highest > 1.0 ? entriesOf(of_.ground_, of_.settings_.seed, highest * of_.meadow_.density, part, piece) : usual;
+        const double rounding = roundingShare(of_.settings_.seed, piece.source, part.back != 0);
+        const double perCandidate =
+            1.0 / (of_.meadow_.density * of_.ground_.area(part.triangle));
+        std::vector<std::uint32_t> bits((std::size_t(all) + 31) / 32);
+        std::uint32_t count = usual;
         bool growsAny = false;
-        for (std::uint32_t j = 0; j < piece.count; ++j) {
+        for (std::uint32_t j = 0; j < all; ++j) {
             const std::uint32_t candidate = shared::sowCandidate(piece, j);
             const glm::vec2 place = sequence.at(candidate);
-            if (!of_.sites_.grows(
-                    points.at(place.x, place.y, candidate | (part.back != 0 ? backSide : 0U))))
+            const RootSample root =
+                points.at(place.x, place.y, candidate | (part.back != 0 ? backSide : 0U));
+            if (j < usual ? !of_.sites_.grows(root)
+                          : !of_.sites_.growsMore(
+                                root, (double(candidate) + 1.0 - rounding) * perCandidate))
                 continue;
-            result_.words[first + j / 32] |= 1U << j % 32;
+            bits[j / 32] |= 1U << j % 32;
+            count = std::max(count, j + 1);
             growsAny = true;
         }
-        piece.bits = first;
         if (!growsAny)
-            result_.words.resize(first);
-        return growsAny;
+            return false;
+        piece.count = count;
+        piece.bits = static_cast<std::uint32_t>(result_.words.size());
+        result_.words.insert(result_.words.end(), bits.begin(),
+                             bits.begin() + std::ptrdiff_t((std::size_t(count) + 31) / 32));
+        return true;
     }
 
     const SeedCells& of_;
+    const Former* former_;
+    std::size_t nextFormer_ = 0; ///< piece
     field::SeedCell result_;
     std::unordered_map<std::uint64_t, std::uint32_t> vertexOf_; ///< by ground vertex and up-vector
     std::unordered_map<std::uint32_t, std::uint32_t> pieceOf_;  ///< first one, by triangle
@@ -546,9 +550,10 @@ float SeedCells::exposureAtVertex(std::uint32_t vertex, bool isBack) const
 }
 
 field::SeedCell SeedCells::make(std::span<const SeedPlaces::Part> parts,
-                                std::span<const SeedPlaces::Centre> centres) const
+                                std::span<const SeedPlaces::Centre> centres,
+                                const Former* former) const
 {
-    Builder builder(*this, parts.front().cell);
+    Builder builder(*this, parts.front().cell, former);
     for (const SeedPlaces::Part& part : parts)
         builder.add(part.part);
     if (builder.growsAnything())

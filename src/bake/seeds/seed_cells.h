@@ -3,12 +3,14 @@
 #include "bake/seeds/seed_places.h"
 #include "bake/seeds/seed_sites.h"
 #include "bake/settings/settings.h"
+#include "core/bounds.h"
 #include "field/seeds/seeds.h"
 #include "terrain/ground_mesh.h"
 
 #include <atomic>
 #include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <span>
 #include <vector>
 
@@ -22,10 +24,18 @@ public:
               const field::SeedMeadow& meadow, const SeedUnits& units, const SeedSites& sites,
               std::size_t centreCount);
 
+    /// A cell as it was before strokes changed.
+    struct Former {
+        const field::SeedCell& cell;                       ///< with pieces
+        std::function<bool(const DAabb& part)> isTouched; ///< by strokes that changed, or almost
+    };
+
     /// The seeds of a cell, from all parts and centres that SeedPlaces lists for it. Has no pieces
-    /// if nothing grows there.
+    /// if nothing grows there. Of parts that no stroke touches the conditions are taken from
+    /// `former`, if it is given; the result is the same.
     field::SeedCell make(std::span<const SeedPlaces::Part> parts,
-                         std::span<const SeedPlaces::Centre> centres) const;
+                         std::span<const SeedPlaces::Centre> centres,
+                         const Former* former = nullptr) const;
 
 private:
     class Builder;

@@ -83,7 +83,7 @@ bool hasMaskOf(const Habitat& habitat)
 } // namespace
 
 SeedSites::SeedSites(const terrain::GroundMesh& ground, const BakeSettings& settings, double scale,
-                     const field::SeedMeadow& meadow, const RootFilter& filter,
+                     const field::SeedMeadow& meadow, RootFilter& filter,
                      const terrain::SurfaceQuery* rays, const terrain::SurfaceFeatures& features)
     : ground_(ground)
     , settings_(settings)
@@ -108,6 +108,15 @@ SeedSites::SeedSites(const terrain::GroundMesh& ground, const BakeSettings& sett
                    !settings.sky.holds(0.0, 1.0) ||
                    std::any_of(settings.meadow.species.begin(), settings.meadow.species.end(),
                                [](const SpeciesTraits& one) { return hasMaskOf(one.habitat); });
+    if (filter.painting() != nullptr)
+        painted_ = PaintedParts(*filter.painting(), settings.strokes);
+}
+
+void SeedSites::repaint(const Strokes& strokes)
+{
+    filter_.repaint(strokes);
+    painted_ = filter_.painting() != nullptr ? PaintedParts(*filter_.painting(), strokes)
+                                             : PaintedParts();
 }
 
 bool SeedSites::isCutOut(std::uint32_t triangle) const
@@ -147,17 +156,23 @@ SeedRays SeedSites::raysAt(const RootSample& root) const
     return found;
 }
 
-shared::SeedConditions SeedSites::at(const RootSample& root, const SeedRays& rays) const
+shared::SeedConditions SeedSites::at(const RootSample& root, const SeedRays& rays,
+                                     const PaintedPart& painted) const
 {
-    const Stand stand = filter_.standAt(root);
+    const Stand stand = filter_.standAt(root, painted.look);
+    const PaintedLook paint = painted.look ? filter_.lookAt(root) : PaintedLook();
     const EdgeTraits& edges = settings_.meadow.edges;
     const auto foot = static_cast<double>(rays.around.foot);
     const PathEdges::Edge path = paths_.at(root, stand.weight);
-    const double trodden = path.nearness * (1.0 - foot);
-    const double height =
-        (1.0 + (edges.occluderHeight - 1.0) * foot) * (1.0 - (1.0 - edges.pathHeight) * trodden);
-    const double stiffness = 1.0 - 0.6 * edges.pathLean * trodden;
-    const glm::dvec3 lean = path.away * (edges.pathLean * trodden);
+    const double trodden = path.nearness * (1.0 - foot) * (1.0 - stand.raised);
+    const double height = paint.height * (1.0 + (edges.occluderHeight - 1.0) * foot) *
+                          (1.0 - (1.0 - edges.pathHeight) * trodden);
+    // A stroke turns blades after a path has.
+    const double turned = std::min(std::sqrt(glm::dot(paint.lean, paint.lean)), 1.0);
+    const double stiffness = (1.0 - 0.6 * edges.pathLean * trodden) * (1.0 - 0.6 * turned);
+    const glm::dvec3 lean =
+        path.away * (edges.pathLean * trodden * (1.0 - turned)) + paint.lean;
+    const double dried = edges.occluderDryness * foot;
     const glm::vec3 tint = groundColor(ground_, root, baseColors_, colorsAreMask_);
 
     // Weights above 0 stay above 0.
@@ -171,19 +186,31 @@ shared::SeedConditions SeedSites::at(const RootSample& root, const SeedRays& ray
     const auto room = rays.room >= 1.0 ? 255U : static_cast<std::uint32_t>(rays.room * 254.0);
     shared::SeedConditions conditions = {};
     conditions.growth = density | byteOf(double(rays.around.exposure)) << 16U |
-                        byteOf(edges.occluderDryness * foot) << 24U;
+                        byteOf(dried + paint.dryness * (1.0 - dried)) << 24U;
     conditions.look = byteOf(double(tint.x)) | byteOf(double(tint.y)) << 8U |
                       byteOf(double(tint.z)) << 16U | byteOf(stiffness) << 24U;
+    const std::size_t species = settings_.meadow.species.size();
+    const bool isSown = painted.species && species > 1 && !meadow_.isMixed;
+    const PaintedSpecies own =
+        isSown ? filter_.painting()->speciesAt(root.position, root.normal) : PaintedSpecies();
     const double vigour = meadow_.isMixed ? 1.0 : stand.vigour[0];
     conditions.size = std::min(static_cast<std::uint32_t>(height * 8192.0 + 0.5), 65535U) |
                       byteOf(vigour) << 16U | room << 24U;
     conditions.lean = component(lean.x) | component(lean.y) << 8U | component(lean.z) << 16U;
-    for (std::size_t slot = 0; meadow_.isMixed && slot < settings_.meadow.species.size(); ++slot) {
+    for (std::size_t slot = 0; (meadow_.isMixed || isSown) && slot < species; ++slot) {
         const double total = std::max(stand.shares.total, 1e-9);
-        conditions.share[slot / 4] |= byteOf(stand.shares.share[slot] / total) << 8U * (slot % 4);
+        const double share = isSown ? own.share[slot] : stand.shares.share[slot] / total;
+        conditions.share[slot / 4] |= byteOf(share) << 8U * (slot % 4);
         conditions.vigour[slot / 4] |= byteOf(stand.vigour[slot]) << 8U * (slot % 4);
     }
     return conditions;
+}
+
+bool SeedSites::growsMore(const RootSample& root, double asks) const
+{
+    Reject ignored = Reject::paint;
+    return filter_.painting()->mayChangeDensity(root.position) &&
+           filter_.paintedDensity(root, 0.0, ignored) >= asks && !filter_.obstacle(root);
 }
 
 bool SeedSites::grows(const RootSample& root) const
@@ -191,7 +218,7 @@ bool SeedSites::grows(const RootSample& root) const
     const double chance = uniform(settings_.seed, keyBits(keyOf(ground_, root)),
                                   static_cast<std::uint32_t>(Dimension::chance));
     Reject ignored = Reject::mask;
-    return filter_.weigh(root, chance, ignored) > chance && !filter_.obstacle(root);
+    return filter_.paintedDensity(root, chance, ignored) > chance && !filter_.obstacle(root);
 }
 
 std::uint32_t SeedSites::upAt(const RootSample& root) const

@@ -6,6 +6,7 @@
 #include "bake/filter/root_filter.h"
 #include "bake/ground/root_sample.h"
 #include "bake/paint/box_tree.h"
+#include "bake/paint/painted_parts.h"
 #include "bake/settings/settings.h"
 #include "field/seeds/seeds.h"
 #include "shaders/shared/sow/seeds.h"
@@ -34,14 +35,29 @@ class SeedSites {
 public:
     /// All arguments must outlive it. `rays` may be null unless needsRays().
     SeedSites(const terrain::GroundMesh& ground, const BakeSettings& settings, double scale,
-              const field::SeedMeadow& meadow, const RootFilter& filter,
+              const field::SeedMeadow& meadow, RootFilter& filter,
               const terrain::SurfaceQuery* rays, const terrain::SurfaceFeatures& features);
 
-    SeedRays raysAt(const RootSample& root) const;
-    shared::SeedConditions at(const RootSample& root, const SeedRays& rays) const;
+    /// Replaces the strokes, which must outlive it. Not thread-safe.
+    void repaint(const Strokes& strokes);
 
-    /// Whether a root grows in a plain bake: masks and filters against its chance, then obstacles.
+    /// What strokes may change in a box.
+    PaintedPart paintedIn(const DAabb& box) const { return painted_.in(box); }
+
+    SeedRays raysAt(const RootSample& root) const;
+
+    /// Conditions at a root of a part. Their density is that of the ground, without strokes: where
+    /// these change it, bits say what grows.
+    shared::SeedConditions at(const RootSample& root, const SeedRays& rays,
+                              const PaintedPart& painted) const;
+
+    /// Whether a root grows in a plain bake: masks, filters and strokes against its chance, then
+    /// obstacles.
     bool grows(const RootSample& root) const;
+
+    /// Whether a root grows for which only strokes ask that make the density at least `asks`,
+    /// relative to the bake's.
+    bool growsMore(const RootSample& root, double asks) const;
 
     /// Whether conditions may vary inside of a part of this triangle, in this box, in a way that
     /// samples of a few metres do not tell.
@@ -69,7 +85,7 @@ private:
     const terrain::GroundMesh& ground_;
     const BakeSettings& settings_;
     const field::SeedMeadow& meadow_;
-    const RootFilter& filter_;
+    RootFilter& filter_;
     const terrain::SurfaceQuery* rays_;
     double scale_;
     bool colorsAreMask_;
@@ -79,6 +95,7 @@ private:
     PathEdges paths_;
     CreaseBlend creases_;
     std::optional<Exposure> sky_;
+    PaintedParts painted_;
     BoxTree bare_; ///< of bare triangles, with the ground that they change
 };
 

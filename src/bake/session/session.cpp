@@ -2,9 +2,12 @@
 
 #include "bake/patches/patch_tree.h"
 #include "bake/patches/split_cells.h"
+#include "bake/seeds/seed_bake.h"
+#include "bake/seeds/seeded_field.h"
 #include "bake/session/cell_triangles.h"
 #include "bake/session/cells_between.h"
 #include "bake/session/ground_changes.h"
+#include "bake/session/seed_edits.h"
 #include "bake/session/stroke_reach.h"
 #include "bake/settings/threads.h"
 #include "bake/tiles/bake_tile.h"
@@ -65,7 +68,19 @@ struct Session::Parts {
     const terrain::GroundMesh& mesh() const { return *surface.mesh; }
     Ground groundOf(const terrain::GroundMesh& other) const;
     bool reuse(const field::FieldView& baked, Diagnostics& diagnostics);
+    // The strokes that differ between those of the session and the next ones, and the unchanged
+    // ones after them.
+    struct Differing {
+        std::span<const Stroke> before;
+        std::span<const Stroke> after;
+        std::span<const Stroke> later;
+    };
+    Differing differing(const Strokes& next) const;
     std::set<CellNumber> cellsReached(const Strokes& next) const;
+    void beginSeeded(const field::FieldView* baked, Diagnostics& diagnostics, Progress& progress);
+    SeedEdits::Source seedSource(const Ground& ground) const;
+    Change take(SeedEdits::Change&& changed);
+    Change applySeeded(Strokes&& next, Progress& progress);
     std::set<CellNumber> cellsChanged(const Ground& next) const;
     std::vector<CellTree> bakeAgain(Ground& ground, const BakeSettings& wanted,
                                     const std::set<CellNumber>& cells, Progress& progress) const;
@@ -77,6 +92,7 @@ struct Session::Parts {
     Ground surface;
     BakePlan plan;
     std::map<CellNumber, CellTree> trees;
+    std::optional<SeedEdits> seeds; // of settings that write them
     bool hasReused = false;
 };
 
@@ -89,6 +105,10 @@ Session::Parts::Parts(const terrain::GroundMesh& first, const BakeSettings& give
     validate(settings);
     withThreads(threads, [&] {
         surface = groundOf(first);
+        if (writesSeeds(first, settings)) {
+            beginSeeded(baked, diagnostics, progress);
+            return;
+        }
         std::optional<terrain::SurfaceQuery> rays;
         if (baked == nullptr && needsRays(first, settings) &&
             !hasManyTriangles(first, settings, {}))
@@ -109,6 +129,37 @@ Session::Parts::Parts(const terrain::GroundMesh& first, const BakeSettings& give
         bakeAllCells({first, features, rays ? &*rays : nullptr}, settings, plan, {}, take,
                      progress);
     });
+}
+
+// The same for settings that write seeds.
+void Session::Parts::beginSeeded(const field::FieldView* baked, Diagnostics& diagnostics,
+                                 Progress& progress)
+{
+    plan = planWhole({mesh(), surface.features, nullptr}, fullSettings(settings), diagnostics,
+                     progress);
+    planSeeds(mesh(), settings, plan);
+    surface.report.bladeScale = plan.plan.scale;
+    hasReused = baked != nullptr && reuse(*baked, diagnostics);
+    if (hasReused) {
+        seeds.emplace(*baked->seeds);
+        return;
+    }
+    Diagnostics ignored; // the same
+    const field::Field field =
+        bakeSeededField(mesh(), settings, threads, {}, ignored, progress).field;
+    for (CellTree& cell : splitCells(field::viewOf(field)))
+        trees.insert_or_assign(cell.cell, std::move(cell));
+    seeds.emplace(field.seeds->view);
+}
+
+SeedEdits::Source Session::Parts::seedSource(const Ground& ground) const
+{
+    return {{*ground.mesh, ground.features}, *ground.triangles, ground.bearing, settings, plan};
+}
+
+Session::Change Session::Parts::take(SeedEdits::Change&& changed)
+{
+    return replaceCells({changed.cells.begin(), changed.cells.end()}, std::move(changed.trees));
 }
 
 Session::Parts::Ground Session::Parts::groundOf(const terrain::GroundMesh& other) const
@@ -138,32 +189,40 @@ bool Session::Parts::reuse(const field::FieldView& baked, Diagnostics& diagnosti
         *baked.provenance != provenanceOf(settings, surface.report))
         return refuse("it was baked of other ground, with other options or strokes, or by another "
                       "version of the program");
+    if ((baked.seeds != nullptr) != plan.seeds.has_value() ||
+        (plan.seeds &&
+         field::seedMeadowText(*baked.seeds->meadow) != field::seedMeadowText(*plan.seeds)))
+        return refuse("its seeds are others");
     for (CellTree& cell : splitCells(baked))
         trees.insert_or_assign(cell.cell, std::move(cell));
     return true;
 }
 
-// The cells that differ between the strokes of the session and the next ones. Strokes that both
-// begin or end with count as unchanged.
-std::set<CellNumber> Session::Parts::cellsReached(const Strokes& next) const
+// Strokes that both begin or end with count as unchanged.
+Session::Parts::Differing Session::Parts::differing(const Strokes& next) const
 {
     const std::vector<Stroke>& old = settings.strokes.list;
-    const auto differing =
+    const auto [first, second] =
         std::mismatch(old.begin(), old.end(), next.list.begin(), next.list.end(), paintAlike);
     auto oldEnd = old.end();
     auto nextEnd = next.list.end();
-    while (oldEnd != differing.first && nextEnd != differing.second &&
+    while (oldEnd != first && nextEnd != second &&
            paintAlike(*std::prev(oldEnd), *std::prev(nextEnd))) {
         --oldEnd;
         --nextEnd;
     }
-    const std::span<const Stroke> later(oldEnd, old.end());
+    return {{first, oldEnd}, {second, nextEnd}, {oldEnd, old.end()}};
+}
+
+// The cells that differ between the strokes of the session and the next ones.
+std::set<CellNumber> Session::Parts::cellsReached(const Strokes& next) const
+{
+    const Differing strokes = differing(next);
     const double tufts = tuftSpacing(settings.meadow, plan.plan.scale);
     std::set<CellNumber> reached;
-    for (auto stroke = differing.first; stroke != oldEnd; ++stroke)
-        addCellsReached(*stroke, later, tufts, surface.bearing, reached);
-    for (auto stroke = differing.second; stroke != nextEnd; ++stroke)
-        addCellsReached(*stroke, later, tufts, surface.bearing, reached);
+    for (const std::span<const Stroke> list : {strokes.before, strokes.after})
+        for (const Stroke& stroke : list)
+            addCellsReached(stroke, strokes.later, tufts, surface.bearing, reached);
     return reached;
 }
 
@@ -176,8 +235,10 @@ std::set<CellNumber> Session::Parts::cellsChanged(const Ground& next) const
         groundChanges({mesh(), surface.features}, {*next.mesh, next.features});
     if (changes.isEverywhere)
         return either;
-    const double margin =
-        std::max(tileMargin(mesh(), settings, plan), tileMargin(*next.mesh, settings, plan));
+    const auto marginOf = [&](const terrain::GroundMesh& ground) {
+        return seeds ? seedMargin(ground, settings, plan) : tileMargin(ground, settings, plan);
+    };
+    const double margin = std::max(marginOf(mesh()), marginOf(*next.mesh));
     std::set<CellNumber> changed;
     for (const Aabb& box : changes.boxes) {
         const DAabb around{next.mesh->origin + glm::dvec3(box.low) - margin,
@@ -227,6 +288,26 @@ Session::Change Session::Parts::replaceCells(const std::set<CellNumber>& cells,
     return change;
 }
 
+// apply() of settings that write seeds.
+Session::Change Session::Parts::applySeeded(Strokes&& next, Progress& progress)
+{
+    const Differing strokes = differing(next);
+    std::vector<Stroke> others(strokes.before.begin(), strokes.before.end());
+    others.insert(others.end(), strokes.after.begin(), strokes.after.end());
+    others.insert(others.end(), strokes.later.begin(), strokes.later.end());
+    std::vector<StrokeSegment> capsules;
+    for (const std::span<const Stroke> list : {strokes.before, strokes.after})
+        for (const Stroke& stroke : list) {
+            const std::vector<StrokeSegment> own = capsulesReached(stroke, others);
+            capsules.insert(capsules.end(), own.begin(), own.end());
+        }
+    SeedEdits::Change changed;
+    withThreads(threads,
+                [&] { changed = seeds->apply(seedSource(surface), capsules, next, progress); });
+    settings.strokes = std::move(next);
+    return take(std::move(changed));
+}
+
 Session::Session(const terrain::GroundMesh& ground, const BakeSettings& settings, int threads,
                  Diagnostics& diagnostics, Progress& progress, const field::FieldView* baked)
     : parts_(std::make_unique<Parts>(ground, settings, threads, diagnostics, progress, baked))
@@ -239,6 +320,8 @@ Session::~Session() = default;
 Session::Change Session::apply(Strokes strokes, Progress& progress)
 {
     Parts& parts = *parts_;
+    if (parts.seeds)
+        return parts.applySeeded(std::move(strokes), progress);
     const std::set<CellNumber> reached = parts.cellsReached(strokes);
     BakeSettings next = parts.settings;
     next.strokes = std::move(strokes);
@@ -259,7 +342,10 @@ Session::Change Session::replaceGround(const terrain::GroundMesh& ground, Progre
     withThreads(parts.threads, [&] {
         next = parts.groundOf(ground);
         changed = parts.cellsChanged(next);
-        baked = parts.bakeAgain(next, parts.settings, changed, progress);
+        if (parts.seeds)
+            baked = parts.seeds->remake(parts.seedSource(next), changed, progress).trees;
+        else
+            baked = parts.bakeAgain(next, parts.settings, changed, progress);
     });
     parts.surface = std::move(next);
     return parts.replaceCells(changed, std::move(baked));
@@ -305,6 +391,11 @@ bool Session::hasReused() const
     return parts_->hasReused;
 }
 
+bool Session::hasSeeds() const
+{
+    return parts_->seeds.has_value();
+}
+
 const std::map<field::CellIndex, CellTree>& Session::cells() const
 {
     return parts_->trees;
@@ -337,6 +428,8 @@ field::Delta Session::deltaOf(std::span<const field::CellIndex> cells) const
         change.blades = found->second.blades;
         change.keys = found->second.keys;
     }
+    if (parts_->seeds)
+        delta.seeds = parts_->seeds->cells(cells, delta.origin);
     return delta;
 }
 
@@ -349,7 +442,11 @@ field::Field Session::field() const
     cells.reserve(parts.trees.size());
     for (const auto& [number, cell] : parts.trees)
         cells.push_back(cell);
-    withThreads(parts.threads, [&] { joinCells(std::move(cells), field); });
+    withThreads(parts.threads, [&] {
+        joinCells(std::move(cells), field);
+        if (parts.seeds)
+            field.seeds = std::make_shared<const field::SharedSeeds>(parts.seeds->seeds());
+    });
     return field;
 }
 

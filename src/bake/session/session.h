@@ -25,6 +25,9 @@ struct CellTree;
 /// again that it reaches, and no other. The cells are at any time, byte for byte, those of a whole
 /// bake of the session's ground with its strokes. Undo and redo are changes like any other.
 ///
+/// Of a field with seeds, a change of strokes samples the conditions again that it touches, and
+/// grows the stored blades of those cells.
+///
 /// Amount and size of blades are planned once, for the first ground without strokes: a count
 /// becomes a local density when the session begins.
 class Session {
@@ -35,7 +38,7 @@ public:
         std::size_t blades = 0;              ///< in these cells, after the change
     };
 
-    /// Bakes the whole field with the settings' strokes. The ground must outlive the session; the
+    /// Bakes the whole field with the settings' strokes; with seeds if writesSeeds() says so. The ground must outlive the session; the
     /// settings are copied. `threads` 0: all threads of the machine. `baked`: a field with keys
     /// whose blades are used instead, if it was baked of this ground with these settings; else a
     /// warning says why not. Throws as bakeField() does.
@@ -63,6 +66,7 @@ public:
     const BakePlan& plan() const;              ///< of the first ground, without strokes
     const terrain::GroundMesh& ground() const; ///< as it is now
     bool hasReused() const;                    ///< the blades of a baked field
+    bool hasSeeds() const;                     ///< as its settings say; see writesSeeds()
 
     /// Cells as they are now, relative to the ground's origin; for receivers of a Change. The
     /// session must not change as long as the delta is used.

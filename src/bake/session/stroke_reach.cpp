@@ -99,7 +99,26 @@ void addCellsWithin(const Stroke& stroke, double margin, const std::set<CellNumb
     }
 }
 
+// How far around a stroke those look that come after it [m].
+double lookedAround(const Stroke& stroke, std::span<const Stroke> later)
+{
+    double around = 0.0;
+    for (const Stroke& other : later)
+        if (other.kind == StrokeKind::smooth && mayTouch(stroke, other, other.radius))
+            around = std::max(around, other.radius);
+    return around;
+}
+
 } // namespace
+
+std::vector<StrokeSegment> capsulesReached(const Stroke& stroke, std::span<const Stroke> later)
+{
+    std::vector<StrokeSegment> capsules = capsulesOf(stroke);
+    if (changesRoots(stroke.kind))
+        for (StrokeSegment& capsule : capsules)
+            capsule.radius += lookedAround(stroke, later);
+    return capsules;
+}
 
 void addCellsReached(const Stroke& stroke, std::span<const Stroke> later, double tufts,
                      const std::set<CellNumber>& bearing, std::set<CellNumber>& reached)
@@ -107,11 +126,7 @@ void addCellsReached(const Stroke& stroke, std::span<const Stroke> later, double
     double margin = slackOfStrokes;
     if (changesRoots(stroke.kind)) {
         // Tufts look at their middles, and strokes that smooth at what is around a root.
-        double around = 3.0 * tufts;
-        for (const Stroke& other : later)
-            if (other.kind == StrokeKind::smooth && mayTouch(stroke, other, other.radius))
-                around = std::max(around, other.radius);
-        margin += around + progressiveReach + LocalRanks::reach;
+        margin += std::max(3.0 * tufts, lookedAround(stroke, later)) + progressiveReach + LocalRanks::reach;
     }
     addCellsWithin(stroke, margin, bearing, reached);
 }

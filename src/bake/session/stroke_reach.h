@@ -1,10 +1,12 @@
 #pragma once
 
 #include "bake/ground/tile_region.h"
+#include "bake/paint/stroke_grid.h"
 #include "bake/settings/stroke.h"
 
 #include <set>
 #include <span>
+#include <vector>
 
 namespace sward::bake {
 
@@ -13,6 +15,9 @@ namespace sward::bake {
 /// tufts; 0: none grow.
 void addCellsReached(const Stroke& stroke, std::span<const Stroke> later, double tufts,
                      const std::set<CellNumber>& bearing, std::set<CellNumber>& reached);
+
+/// The capsules of a stroke in the world, as wide as what it changes: `later` strokes may look at it.
+std::vector<StrokeSegment> capsulesReached(const Stroke& stroke, std::span<const Stroke> later);
 
 /// Adds those of the `bearing` cells that a stroke's capsules may touch.
 void addCellsTouched(const Stroke& stroke, const std::set<CellNumber>& bearing,

@@ -155,6 +155,11 @@ UninitializedVector<std::byte> compress(std::span<const std::byte> raw, std::siz
     return stored;
 }
 
+std::uint64_t claimedBytes(std::span<const std::byte> stored)
+{
+    return ZSTD_getFrameContentSize(stored.data(), stored.size());
+}
+
 void checkClaim(std::span<const std::byte> stored, std::size_t rawBytes, const std::string& place)
 {
     requireSize(stored, rawBytes, place);

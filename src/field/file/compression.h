@@ -45,6 +45,9 @@ private:
 /// similar high bytes, which then compress. `raw` is a whole number of elements.
 UninitializedVector<std::byte> compress(std::span<const std::byte> raw, std::size_t elementBytes);
 
+/// Bytes that a frame declares; some other number if it declares none.
+std::uint64_t claimedBytes(std::span<const std::byte> stored);
+
 /// Throws Error{input} naming `place` unless the frame declares `rawBytes`, at most 256 MB and 4096
 /// for each of its own. More than 1 MB and 32 for each are unpacked once without being kept, so that
 /// memory is allocated only for what is there. Called before that.

@@ -16,9 +16,11 @@ namespace {
 constexpr std::int32_t farthestUnit = (1 << 30) - 1;
 constexpr std::uint32_t finestPieceBits = 30;
 constexpr std::uint64_t maxCandidatesOfPiece = 1ULL << 31U;
+constexpr double maxDensityOfPiece = 8.0; // as bake::maxPaintedDensity
 constexpr std::int32_t maxMoisture = 1 << 15;
 
-// Words of one element as they are stored: unmixed conditions leave their last four out.
+// Words of one element as they are stored: where no species is mixed, conditions leave their last
+// four out.
 constexpr std::size_t vertexWords = sizeof(shared::SeedVertex) / 4;
 constexpr std::size_t pieceWords = sizeof(shared::SeedPiece) / 4;
 constexpr std::size_t clumpWords = sizeof(shared::SeedClump) / 4;
@@ -104,12 +106,15 @@ void verifyPiece(const shared::SeedPiece& piece, const SeedCell& cell, std::size
         refuse("candidates out of range");
     if (!(piece.expected >= 1e-30f && piece.expected <= 0x1p32f))
         refuse("no valid number of candidates");
-    // ⌊expected + u⌋ of the whole triangle, of which a part has one in 2^(p + q).
+    // ⌊expected + u⌋ of the whole triangle, of which a part has one in 2^(p + q). Strokes ask for
+    // more, candidate by candidate.
     constexpr double rounding = 1e-6; // relative, of a float
     const double whole = std::ldexp(double(piece.count), static_cast<int>(p + q));
     const double slack =
         std::ldexp(1.0, static_cast<int>(p + q)) + rounding * (double(piece.expected) + 1.0);
-    if (std::abs(whole - double(piece.expected)) > slack)
+    const double most =
+        (piece.bits != shared::noSeedBits ? maxDensityOfPiece : 1.0) * double(piece.expected);
+    if (whole < double(piece.expected) - slack || whole > most + slack)
         refuse("a number of candidates that does not fit the expected one");
     const std::uint64_t points =
         std::uint64_t((piece.form >> 10U & 255U) + 1) * ((piece.form >> 18U & 255U) + 1);
@@ -143,6 +148,11 @@ SeedEntry entryOf(const SeedCell& cell)
 
 UninitializedVector<std::byte> packSeedCell(const SeedCell& cell, bool isMixed)
 {
+    // Where strokes sow species.
+    isMixed = isMixed ||
+              std::any_of(cell.conditions.begin(), cell.conditions.end(), [](const auto& one) {
+                  return (one.share[0] | one.share[1] | one.vigour[0] | one.vigour[1]) != 0;
+              });
     std::vector<std::uint32_t> words(wordsOf(entryOf(cell), isMixed));
     std::uint32_t* to = words.data();
     to = putWords(cell.vertices, vertexWords, to);
@@ -172,9 +182,11 @@ SeedCell readSeedCell(const SeedsView& seeds, std::size_t index, const std::stri
     const SeedEntry& entry = seeds.cells[index];
     const std::string name = fmt::format("{}: seeds of cell ({}, {}, {})", place, entry.cell[0],
                                          entry.cell[1], entry.cell[2]);
-    const bool isMixed = seeds.meadow->isMixed;
-    const std::uint64_t count = wordsOf(entry, isMixed);
     const auto stored = seeds.data.subspan(entry.offset, entry.bytes);
+    const bool isMixed =
+        seeds.meadow->isMixed ||
+        claimedBytes(stored) == wordsOf(entry, true) * sizeof(std::uint32_t);
+    const std::uint64_t count = wordsOf(entry, isMixed);
     checkClaim(stored, count * sizeof(std::uint32_t), name);
     std::vector<std::uint32_t> words(count);
     decompress(stored, sizeof(std::uint32_t), std::as_writable_bytes(std::span(words)), name);
@@ -192,21 +204,26 @@ SeedCell readSeedCell(const SeedsView& seeds, std::size_t index, const std::stri
     from = takeWords(cell.conditions, conditionWords(isMixed), from);
     cell.words.assign(from, from + entry.words);
 
+    verifySeedCell(cell, name);
+    return cell;
+}
+
+void verifySeedCell(const SeedCell& cell, const std::string& place)
+{
     for (std::size_t i = 0; i < cell.vertices.size(); ++i)
         if (!isNear(cell.vertices[i].x) || !isNear(cell.vertices[i].y) ||
             !isNear(cell.vertices[i].z))
-            fail(ErrorKind::input, "{}: vertex {} is too far from the cell", name, i);
+            fail(ErrorKind::input, "{}: vertex {} is too far from the cell", place, i);
     for (std::size_t i = 0; i < cell.pieces.size(); ++i)
-        verifyPiece(cell.pieces[i], cell, i, name);
+        verifyPiece(cell.pieces[i], cell, i, place);
     for (std::size_t i = 0; i < cell.clumps.size(); ++i)
         if (cell.clumps[i].piece >= cell.pieces.size())
-            fail(ErrorKind::input, "{}: clump {} lies on piece {}; there are {}", name, i,
+            fail(ErrorKind::input, "{}: clump {} lies on piece {}; there are {}", place, i,
                  cell.clumps[i].piece, cell.pieces.size());
     for (std::size_t i = 0; i < cell.clumps.size(); ++i)
         if (std::abs(cell.clumps[i].moisture) > maxMoisture)
-            fail(ErrorKind::input, "{}: clump {} has moisture {}, beyond {}", name, i,
+            fail(ErrorKind::input, "{}: clump {} has moisture {}, beyond {}", place, i,
                  cell.clumps[i].moisture, maxMoisture);
-    return cell;
 }
 
 void verifySeeds(const SeedsView& seeds, std::size_t speciesCount, const std::string& place)

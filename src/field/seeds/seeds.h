@@ -106,6 +106,9 @@ void addSeedCell(Seeds& seeds, SeedEntry entry, std::span<const std::byte> packe
 /// Reads the cell `index` and verifies every number. Throws Error{input} naming `place`.
 SeedCell readSeedCell(const SeedsView& seeds, std::size_t index, const std::string& place);
 
+/// Verifies every number of a cell. Throws Error{input} naming `place`.
+void verifySeedCell(const SeedCell& cell, const std::string& place);
+
 /// Verifies the meadow and the entries against the data. `speciesCount` is that of the field.
 /// Throws Error{input} naming `place`.
 void verifySeeds(const SeedsView& seeds, std::size_t speciesCount, const std::string& place);

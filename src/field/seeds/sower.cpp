@@ -160,6 +160,8 @@ CellSurroundings::CellSurroundings(const SeedCell& cell, const Sower& sower)
             box.high = glm::max(box.high, glm::ivec3(vertex.x, vertex.y, vertex.z));
         }
         boxes.push_back(box);
+        if (piece.count > 0)
+            heightScale = std::min(heightScale, shared::sowHeightScale(piece));
     }
 }
 
@@ -310,6 +312,13 @@ std::vector<Sower::Ranked> Sower::candidatesOf(const SeedCell& cell, const CellS
     return ranked;
 }
 
+shared::SowMeadow Sower::meadowAt(const CellSurroundings& around) const
+{
+    shared::SowMeadow meadow = meadow_;
+    meadow.heightsPerMetre *= around.heightScale;
+    return meadow;
+}
+
 SownCell Sower::sow(const SeedCell& cell, const SowRegion& region) const
 {
     return sow(cell, CellSurroundings(cell, *this), region);
@@ -326,8 +335,10 @@ SownCell Sower::sow(const SeedCell& cell, const CellSurroundings& around,
     shared::SowTones tones = {};
     tones.at = tones_.data();
 
+    const shared::SowMeadow meadow = meadowAt(around);
     SownCell result;
     result.cell = cell.cell;
+    result.heightStep = 1.0f / meadow.heightsPerMetre;
     result.blades.reserve(ranked.size());
     result.keys.reserve(ranked.size());
     std::uint64_t current = 0;
@@ -346,7 +357,7 @@ SownCell Sower::sow(const SeedCell& cell, const CellSurroundings& around,
         shared::sowEdges(sequence.a, sequence.b, sequence.c, root.first, root.second);
         root.level = static_cast<std::uint32_t>(one.patch >> 56U);
         const shared::SownBlade stalk =
-            shared::sowBlade(meadow_, root, around.clumps.nearest(root.place, root.own),
+            shared::sowBlade(meadow, root, around.clumps.nearest(root.place, root.own),
                              conditionsAt(cell, piece, point), waves, tones);
         const std::vector<shared::SowRibbon>& ribbons = ribbons_[stalk.species];
 
@@ -370,7 +381,7 @@ SownCell Sower::sow(const SeedCell& cell, const CellSurroundings& around,
         result.keys.push_back(key);
         for (std::uint32_t i = 0; i < ribbons.size(); ++i) {
             result.blades.push_back(
-                shared::sowRibbon(meadow_, stalk, i + 1, ribbons[i].height, ribbons[i].width));
+                shared::sowRibbon(meadow, stalk, i + 1, ribbons[i].height, ribbons[i].width));
             result.keys.push_back(ribbonKey(key, i + 1));
         }
     }
@@ -386,7 +397,7 @@ shared::Patch Sower::unpackingOf(const SownCell& cell, const SownPatch& patch) c
             static_cast<float>(cellSide * double(cell.cell[std::size_t(axis)]) +
                                double(side) * double(patch.place[std::size_t(axis)]));
     result.rootStep = side / 65535.0f;
-    result.heightStep = 1.0f / meadow_.heightsPerMetre;
+    result.heightStep = cell.heightStep;
     result.widthStep = 1.0f / meadow_.widthsPerMetre;
     result.bladeCount = patch.count;
     result.rankLow = patch.rankLow;

@@ -49,6 +49,7 @@ struct SownPatch {
 /// What grows in a 32 m cell.
 struct SownCell {
     std::array<std::int32_t, 3> cell{};
+    float heightStep = 0.0f;        ///< [m] of its packed blades
     std::vector<SownPatch> patches; ///< by level, then by Morton order, then by rank
     UninitializedVector<shared::PackedBlade> blades;
     UninitializedVector<BladeKey> keys; ///< one a blade
@@ -70,7 +71,8 @@ struct CellSurroundings {
     std::vector<shared::SowWave> waves; ///< Sower::wavesAt()
     shared::SowGround ground;           ///< Sower::groundAt()
     NearClumps clumps;
-    std::vector<Box> boxes; ///< of its pieces
+    std::vector<Box> boxes;    ///< of its pieces
+    float heightScale = 1.0f; ///< of its packed blades: the least shared::sowHeightScale()
 };
 
 /// Sows cells on the CPU by the functions of shaders/shared/sow, by which a device sows, too. The
@@ -94,6 +96,9 @@ public:
     /// As the shaders read it, but for the place of the species.
     const shared::SowMeadow& meadow() const { return meadow_; }
     std::span<const shared::SowSpecies> species() const { return species_; }
+
+    /// The same for the blades of a cell.
+    shared::SowMeadow meadowAt(const CellSurroundings& around) const;
 
     /// Lattices of the slow waves at a cell, as shared::SowWaves.
     std::vector<shared::SowWave> wavesAt(const std::array<std::int32_t, 3>& cell) const;

@@ -2,6 +2,7 @@
 #include "core/files/mapped_file.h"
 #include "field/delta.h"
 #include "unit/field/sample_field.h"
+#include "unit/field/sample_seeds.h"
 
 #include <gtest/gtest.h>
 #include <xxhash.h>
@@ -9,6 +10,7 @@
 #include <cstring>
 #include <fstream>
 #include <limits>
+#include <memory>
 #include <utility>
 
 namespace sward::field {
@@ -124,6 +126,94 @@ TEST(FieldDelta, RefusesWhatIsNoChangeOfTheField)
     delta = sampleDelta(field);
     delta.origin.y = std::numeric_limits<double>::quiet_NaN();
     expectNoDelta(written(delta), field, "origin");
+}
+
+// The sample with two cells of seeds, of which one is bare.
+Delta seededDelta(const Field& field)
+{
+    Delta delta = sampleDelta(field);
+    SeedCell cell = tests::seedCell();
+    cell.words.push_back(7);
+    const auto full = std::make_shared<SeedCell>(cell);
+    const auto bare = std::make_shared<SeedCell>();
+    full->cell = {1, 2, 3};
+    bare->cell = {1, 2, 4};
+    delta.seeds = {full, bare};
+    return delta;
+}
+
+TEST(FieldDelta, SeedsComeBackAsTheyWereWritten)
+{
+    const Field field = tests::sampleField();
+    const Delta wanted = seededDelta(field);
+    const Delta found = readDelta(written(wanted), field.species);
+    EXPECT_EQ(found.cells.size(), wanted.cells.size());
+    ASSERT_EQ(found.seeds.size(), 2U);
+    for (std::size_t i = 0; i < 2; ++i) {
+        const SeedCell& a = *wanted.seeds[i];
+        const SeedCell& b = *found.seeds[i];
+        EXPECT_EQ(a.cell, b.cell);
+        EXPECT_TRUE(areEqualParts(std::span(a.vertices), std::span(b.vertices)));
+        EXPECT_TRUE(areEqualParts(std::span(a.pieces), std::span(b.pieces)));
+        EXPECT_TRUE(areEqualParts(std::span(a.clumps), std::span(b.clumps)));
+        EXPECT_TRUE(areEqualParts(std::span(a.conditions), std::span(b.conditions)));
+        EXPECT_EQ(a.words, b.words);
+    }
+    // Without seeds a delta is what it was before there were any.
+    const auto magicOf = [](const Delta& delta) {
+        const std::vector<std::byte> bytes = readFile(written(delta));
+        return std::string(reinterpret_cast<const char*>(bytes.data()), 8);
+    };
+    EXPECT_EQ(magicOf(sampleDelta(field)), "SWDELTA1");
+    EXPECT_EQ(magicOf(wanted), "SWDELTA2");
+}
+
+TEST(FieldDelta, DamagedSeedsAreRefused)
+{
+    const Field field = tests::sampleField(2);
+    const auto path = written(seededDelta(field));
+    const std::vector<std::byte> bytes = readFile(path);
+    for (std::size_t length = 0; length < bytes.size(); length += 3) {
+        writeDeltaBytes(path, std::span(bytes).first(length));
+        EXPECT_THROW(readDelta(path, field.species), Error) << length;
+    }
+    for (std::size_t at = 0; at < bytes.size(); ++at) {
+        std::vector<std::byte> changed = bytes;
+        changed[at] ^= std::byte(0x5a);
+        writeDeltaBytes(path, changed);
+        EXPECT_THROW(readDelta(path, field.species), Error) << at;
+    }
+    const auto changed = [&](auto change) {
+        Delta delta = seededDelta(field);
+        SeedCell cell = *delta.seeds[0];
+        change(cell);
+        delta.seeds[0] = std::make_shared<const SeedCell>(std::move(cell));
+        return written(delta);
+    };
+    expectNoDelta(changed([](SeedCell& cell) { cell.cell = {1, 2, 4}; }), field, "do not follow");
+    expectNoDelta(changed([](SeedCell& cell) { cell.pieces[0].corners[1] = 99; }), field,
+                  "seeds of cell (1, 2, 3): piece 0");
+    expectNoDelta(changed([](SeedCell& cell) { cell.pieces[0].records = 99; }), field, "conditions");
+    expectNoDelta(changed([](SeedCell& cell) { cell.vertices[0].x = 1 << 30; }), field, "vertex 0");
+    expectNoDelta(changed([](SeedCell& cell) { cell.conditions.clear(); }), field, "conditions");
+}
+
+TEST(FieldDelta, CountsOfSeedsBeyondTheFileAreRefused)
+{
+    const Field field = tests::sampleField();
+    Delta delta = seededDelta(field);
+    delta.cells.clear();
+    const auto path = written(delta);
+    const std::vector<std::byte> before = readFile(path);
+    // The number of cells, then of each kind of element of the first.
+    for (const std::size_t at : {56U, 76U, 80U, 84U, 88U, 92U}) {
+        std::vector<std::byte> bytes = before;
+        std::memset(bytes.data() + at, 0xff, 4);
+        const std::uint64_t hash = XXH3_64bits(bytes.data() + 24, bytes.size() - 24);
+        std::memcpy(bytes.data() + 16, &hash, sizeof hash);
+        writeDeltaBytes(path, bytes);
+        expectNoDelta(path, field, "do not fit");
+    }
 }
 
 TEST(FieldDelta, CountsBeyondTheFileAreRefused)
