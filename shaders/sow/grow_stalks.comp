@@ -10,6 +10,7 @@ layout(local_size_x = sowGrowThreads) in;
 SowStalk stalkOf(SowBatch batch, SowCell cell, SowRecord record, uint level)
 {
     SowMeadow meadow = batch.meadow.at[0];
+    meadow.heightsPerMetre *= cell.heightScale;
     const Bearer bearer = bearerOf(cell, record.piece, meadow.seed);
     const SowPoint point = sowPoint(bearer.sequence, record.candidate);
     const uvec2 weights = sowWeights(point);

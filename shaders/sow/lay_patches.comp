@@ -172,9 +172,10 @@ float cosineOfSum(float a, float b)
 }
 
 /// Gathers box, sum of up-vectors and widest blade of the stalks of a patch.
-void addToPatch(SowBatch batch, uint start, uint first, uint end, SowOrder unit, uint cellNumber)
+void addToPatch(SowBatch batch, SowCell cell, uint start, uint first, uint end, SowOrder unit, uint cellNumber)
 {
     SowMeadow meadow = batch.meadow.at[0];
+    meadow.heightsPerMetre *= cell.heightScale;
     const uint bits = meadow.unitBits + 5u - unit.level;
     uvec3 at = uvec3(0u);
     for (uint bit = 0u; bit < 3u; ++bit)
@@ -223,7 +224,7 @@ vec3 axisOf(uint blades)
     return square > 1.0e-6f * float(blades * blades) ? sum / sqrt(square) : vec3(0.0f);
 }
 
-void makePatches(SowBatch batch, uint cellIndex, uint start, uint count, SowOrder unit)
+void makePatches(SowBatch batch, SowCell cell, uint cellIndex, uint start, uint count, SowOrder unit)
 {
     const uint thread = gl_LocalInvocationID.x;
     for (uint first = 0u; first < count;) {
@@ -246,7 +247,7 @@ void makePatches(SowBatch batch, uint cellIndex, uint start, uint count, SowOrde
         }
         barrier();
         const uint end = lastStalk;
-        addToPatch(batch, start, first, end, unit, cellIndex % sowCells);
+        addToPatch(batch, cell, start, first, end, unit, cellIndex % sowCells);
         barrier();
         const uint blades = (end < count ? ranksOrStarts[end] : total) - ranksOrStarts[first];
         const vec3 axis = axisOf(blades);
@@ -313,5 +314,5 @@ void main()
     if (firstBlade + blades > batch.maxBlades)
         return;
     writeBlades(batch, start, count);
-    makePatches(batch, cellIndex, start, count, unit);
+    makePatches(batch, cell, cellIndex, start, count, unit);
 }

@@ -115,7 +115,7 @@ void Grass::remove(InstanceId id)
 void Grass::edit(ResidentField& field, const field::Delta& delta)
 {
     ResidentField::Parts& edited = Access::of(field);
-    requireUsage(edited.field.edits != nullptr, "FieldBudget::isEditable of the field is not set");
+    requireUsage(edited.field.isEditable(), "FieldBudget::isEditable of the field is not set");
     parts_->take(edited);
     edited.field.apply(delta);
 }

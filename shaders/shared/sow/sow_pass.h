@@ -44,8 +44,10 @@ struct SowCell {
     uint headMask;      ///< number of lists − 1, a power of two − 1
     uint centreCount;
     SowGround ground;
+    float heightScale; ///< factor on SowMeadow::heightsPerMetre, see sowHeightScale()
+    uint reserved;
 };
-SHARED_LAYOUT(SowCell, 80)
+SHARED_LAYOUT(SowCell, 88)
 SHARED_BUFFER(SowCellArray, SowCell, readonly)
 
 /// A unit to grow: ranks from `from` to below `share` in a cube of its cell.

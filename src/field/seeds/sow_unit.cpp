@@ -66,29 +66,35 @@ UnitCell::UnitCell(SeedCell&& seeds, const Sower& sower)
 {
 }
 
+UnitCell::Cubes cubesOf(const SeedCell& cell, const shared::SeedPiece& piece,
+                        std::uint32_t unitBits)
+{
+    UnitCell::Cubes cubes;
+    int low[3] = {int(cubesAlong), int(cubesAlong), int(cubesAlong)};
+    int high[3] = {-1, -1, -1};
+    for (const std::uint32_t corner : piece.corners) {
+        const shared::SeedVertex& vertex = cell.vertices[corner];
+        const int place[3] = {vertex.x, vertex.y, vertex.z};
+        for (int axis = 0; axis < 3; ++axis) {
+            const int cube = cubeOf(place[axis], unitBits);
+            low[axis] = std::min(low[axis], std::max(cube, 0));
+            high[axis] = std::max(high[axis], std::min(cube, int(cubesAlong) - 1));
+        }
+    }
+    for (int z = low[2]; z <= high[2]; ++z)
+        for (int y = low[1]; y <= high[1]; ++y)
+            for (int x = low[0]; x <= high[0]; ++x)
+                cubes.set(std::size_t(x) +
+                          cubesAlong * (std::size_t(y) + cubesAlong * std::size_t(z)));
+    return cubes;
+}
+
 UnitCell::Cubes cubesOf(const SeedCell& cell, std::uint32_t unitBits)
 {
     UnitCell::Cubes cubes;
-    for (const shared::SeedPiece& piece : cell.pieces) {
-        if (piece.count == 0)
-            continue;
-        int low[3] = {int(cubesAlong), int(cubesAlong), int(cubesAlong)};
-        int high[3] = {-1, -1, -1};
-        for (const std::uint32_t corner : piece.corners) {
-            const shared::SeedVertex& vertex = cell.vertices[corner];
-            const int place[3] = {vertex.x, vertex.y, vertex.z};
-            for (int axis = 0; axis < 3; ++axis) {
-                const int cube = cubeOf(place[axis], unitBits);
-                low[axis] = std::min(low[axis], std::max(cube, 0));
-                high[axis] = std::max(high[axis], std::min(cube, int(cubesAlong) - 1));
-            }
-        }
-        for (int z = low[2]; z <= high[2]; ++z)
-            for (int y = low[1]; y <= high[1]; ++y)
-                for (int x = low[0]; x <= high[0]; ++x)
-                    cubes.set(std::size_t(x) +
-                              cubesAlong * (std::size_t(y) + cubesAlong * std::size_t(z)));
-    }
+    for (const shared::SeedPiece& piece : cell.pieces)
+        if (piece.count > 0)
+            cubes |= cubesOf(cell, piece, unitBits);
     return cubes;
 }
 

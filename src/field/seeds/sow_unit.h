@@ -64,6 +64,10 @@ private:
 /// UnitCell::cubes() of a cell.
 UnitCell::Cubes cubesOf(const SeedCell& cell, std::uint32_t unitBits);
 
+/// The same of one of its pieces.
+UnitCell::Cubes cubesOf(const SeedCell& cell, const shared::SeedPiece& piece,
+                        std::uint32_t unitBits);
+
 /// Whether something may bear in a unit of a cell with these cubes.
 bool bears(const UnitCell::Cubes& cubes, const SowUnit& unit);
 

@@ -20,9 +20,11 @@ double bladesToRead(const shared::Cover& shape)
 
 } // namespace
 
-EditedCover::EditedCover(const field::FieldView& field, const field::LeafAreaGrid& grid)
+EditedCover::EditedCover(const field::FieldView& field, const field::LeafAreaGrid& grid,
+                         double bladesPerStored)
     : shape_(grid.shape)
     , species_(field.species.begin(), field.species.end())
+    , bladesPerStored_(static_cast<float>(bladesPerStored))
     , meanHeight_(grid.meanHeight)
     , scratch_(grid.values.size(), glm::vec3(0.0f))
     , leaves_(grid.values.size(), glm::dvec3(0.0))
@@ -105,7 +107,7 @@ PlaceRange EditedCover::apply(const field::Delta& delta, shared::Cover& cover)
     for (std::uint32_t corner = low; corner < end; ++corner) {
         const glm::dvec3 amounts = leaves_[corner];
         values_[corner] = amounts.x < nothing ? 0
-                                              : field::grassOf(glm::vec3(amounts),
+                                              : field::grassOf(bladesPerStored_ * glm::vec3(amounts),
                                                                ground_[corner], meanHeight_);
     }
     if (sum_.leaves > nothing)

@@ -20,8 +20,9 @@ namespace sward::render {
 /// edge.
 class EditedCover {
 public:
-    /// The grid need not have values.
-    EditedCover(const field::FieldView& field, const field::LeafAreaGrid& grid);
+    /// The grid need not have values. Each blade stands for `bladesPerStored`.
+    EditedCover(const field::FieldView& field, const field::LeafAreaGrid& grid,
+                double bladesPerStored);
 
     /// Replaces cells. Returns a range that holds all changed corners, and colours `cover`.
     PlaceRange apply(const field::Delta& delta, shared::Cover& cover);
@@ -51,6 +52,7 @@ private:
     shared::Cover shape_;
     std::vector<field::Species> species_;
     std::map<field::CellIndex, Cell> cells_;
+    float bladesPerStored_;
     float meanHeight_;               ///< [m] 0: the field was bare
     std::vector<glm::vec3> scratch_; ///< one per corner, all 0
     std::vector<glm::dvec3> leaves_; ///< Corner::amounts of all cells

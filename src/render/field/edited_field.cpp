@@ -61,6 +61,20 @@ void checkCell(const field::CellChange& change)
 
 } // namespace
 
+void checkDelta(const field::Delta& delta, const glm::dvec3& origin)
+{
+    if (delta.origin != origin)
+        fail(ErrorKind::input,
+             "a change of a field with the origin ({}, {}, {}); that of this one is ({}, {}, {})",
+             delta.origin.x, delta.origin.y, delta.origin.z, origin.x, origin.y, origin.z);
+    for (const field::CellChange& change : delta.cells) {
+        checkCell(change);
+        if (&change != delta.cells.data() && !((&change - 1)->cell < change.cell))
+            fail(ErrorKind::input, "the changed cells are not sorted: ({}, {}, {})", change.cell[0],
+                 change.cell[1], change.cell[2]);
+    }
+}
+
 EditedField::EditedField(const field::FieldView& field, std::uint32_t walkStart,
                          std::uint32_t maxBlades)
     : origin_(field.origin)
@@ -142,18 +156,10 @@ void EditedField::followMove(const shared::PatchSource& moved, Edit& edit)
 
 void EditedField::check(const field::Delta& delta) const
 {
-    if (delta.origin != origin_)
-        fail(ErrorKind::input,
-             "a change of a field with the origin ({}, {}, {}); that of this one is ({}, {}, {})",
-             delta.origin.x, delta.origin.y, delta.origin.z, origin_.x, origin_.y, origin_.z);
+    checkDelta(delta, origin_);
     std::uint64_t places = bladeRoom();
-    for (const field::CellChange& change : delta.cells) {
-        checkCell(change);
-        if (&change != delta.cells.data() && !((&change - 1)->cell < change.cell))
-            fail(ErrorKind::input, "the changed cells are not sorted: ({}, {}, {})", change.cell[0],
-                 change.cell[1], change.cell[2]);
+    for (const field::CellChange& change : delta.cells)
         places += std::uint64_t(stridesOf(change.blades.size())) * stride;
-    }
     if (places > maxBlades_)
         fail(ErrorKind::unsupported, "the changed field needs {} places of blades; there are {}",
              places, maxBlades_);

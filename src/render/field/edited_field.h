@@ -16,6 +16,10 @@
 
 namespace sward::render {
 
+/// Throws Error{input} that names the cell if a delta has another origin, unsorted cells, or an
+/// index without a target.
+void checkDelta(const field::Delta& delta, const glm::dvec3& origin);
+
 /// The tables of a field whose 32 m cells may be replaced: its patch tree, and the places of its
 /// blades. Cell by cell, the blades and the patches below a cell's own lie together; wider patches
 /// and the cells' own come first, see TopTree. A cell that becomes bare keeps its own patch,

@@ -13,7 +13,8 @@ GrassCover::GrassCover(const gpu::DeviceContext& context, gpu::BufferUpload& upl
 }
 
 GrassCover::GrassCover(const gpu::DeviceContext& context, gpu::BufferUpload& upload,
-                       const field::FieldView& field, field::LeafAreaGrid grid, bool isEditable)
+                       const field::FieldView& field, field::LeafAreaGrid grid, bool isEditable,
+                       double bladesPerStored)
 {
     if (isEditable) {
         if (grid.values.empty()) {
@@ -21,7 +22,7 @@ GrassCover::GrassCover(const gpu::DeviceContext& context, gpu::BufferUpload& upl
             grid.values.resize(std::size_t(grid.shape.countX) * grid.shape.countY *
                                grid.shape.countZ);
         }
-        edited_ = std::make_unique<EditedCover>(field, grid);
+        edited_ = std::make_unique<EditedCover>(field, grid, bladesPerStored);
     }
     shape_ = grid.shape;
     field::describeUndergrowth(field, shape_);

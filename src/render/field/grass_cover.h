@@ -25,9 +25,11 @@ public:
     /// Begins the upload; it is complete when `upload` is.
     GrassCover(const gpu::DeviceContext& context, gpu::BufferUpload& upload,
                const field::FieldView& field, bool isEditable = false);
-    /// The same with the leaf area of the field, as field::leafAreaOf() returns it.
+    /// The same with the leaf area of the field, as field::leafAreaOf() returns it. In deltas, a
+    /// blade stands for `bladesPerStored`.
     GrassCover(const gpu::DeviceContext& context, gpu::BufferUpload& upload,
-               const field::FieldView& field, field::LeafAreaGrid grid, bool isEditable);
+               const field::FieldView& field, field::LeafAreaGrid grid, bool isEditable,
+               double bladesPerStored = 1.0);
     GrassCover(GrassCover&&) noexcept;
     ~GrassCover();
 

@@ -1,5 +1,7 @@
 #include "render/resident/device_field.h"
 
+#include "render/sowing/sown_view.h"
+
 #include <algorithm>
 #include <cstddef>
 #include <utility>
@@ -15,6 +17,8 @@ BakedBlades bladesOf(const gpu::DeviceContext& context, gpu::BufferUpload& uploa
 {
     if (settings.edited)
         return {context, upload, field, settings.edited->tables(), settings.edited->placed(field)};
+    if (settings.stored)
+        return {context, upload, field, settings.sown->tables(), settings.stored->placed(field)};
     if (settings.sown)
         return {context, upload, field, settings.sown->tables(), field.blades};
     return {context, upload, field, settings.walkStart, settings.pages};
@@ -43,7 +47,8 @@ DeviceField::DeviceField(const gpu::DeviceContext& context, const gpu::ShaderLib
                                 std::max(field.seeds->meadow->stored, 1e-12),
                       .levels = double(field.seeds->meadow->levels)};
         sowing = std::make_unique<Sowing>(context, shaders, field, std::move(settings.sown),
-                                          settings.sowing);
+                                          std::move(settings.stored), settings.sowing);
+        storedWidening = static_cast<float>(field.seeds->meadow->storedWidening);
     }
     if (settings.edited)
         edits = std::make_unique<ResidentEdits>(context, shaders, std::move(settings.edited),
@@ -53,6 +58,20 @@ DeviceField::DeviceField(const gpu::DeviceContext& context, const gpu::ShaderLib
 
 void DeviceField::apply(const field::Delta& delta)
 {
+    if (sowing) {
+        checkDelta(delta, shape.origin);
+        const SownDelta sown(delta, storedWidening);
+        const PlaceRange corners = cover.apply(sown.delta());
+        sowing->apply(
+            sown.delta(),
+            {.values = cover.values(), .corners = corners, .buffer = &cover.buffer()});
+        for (const field::CellChange& change : delta.cells)
+            if (!change.patches.empty()) {
+                shape.content.add(change.patches.front().boundsLow);
+                shape.content.add(change.patches.front().boundsHigh);
+            }
+        return;
+    }
     edits->apply(delta);
     if (bound)
         for (const field::CellChange& change : delta.cells)

@@ -31,6 +31,7 @@ struct DeviceField {
         Streaming::Settings streaming{};       ///< of these pages
         std::unique_ptr<EditedField> edited{}; ///< tables of a field that is to be edited, or null
         std::unique_ptr<SownTables> sown{};    ///< tables of a field that is sown, or null
+        std::unique_ptr<StoredCells> stored{}; ///< their stored cells, if they are edited
         Sowing::Settings sowing{};             ///< of these tables
         std::uint32_t framesInFlight = 1;      ///< of its edits
         float exposure = 1.0f;                 ///< see FieldShape
@@ -47,7 +48,11 @@ struct DeviceField {
     DeviceField(const DeviceField&) = delete; // the edits keep its members' addresses
     DeviceField& operator=(const DeviceField&) = delete;
 
-    /// Replaces cells of an editable field, from the next ResidentEdits::begin() on.
+    /// Whether apply() may be called.
+    bool isEditable() const { return edits != nullptr || (sowing && sowing->isEditable()); }
+
+    /// Replaces cells of an editable field, from the next ResidentEdits::begin() on; of a sown one,
+    /// from the next Sowing::record() on.
     void apply(const field::Delta& delta);
 
     /// Bytes of device memory, and of the mapped memory of streaming and edits.
@@ -61,6 +66,7 @@ struct DeviceField {
     std::unique_ptr<Streaming> streaming; ///< if not all blades are resident
     std::unique_ptr<ResidentEdits> edits; ///< if it is editable
     std::unique_ptr<Sowing> sowing;       ///< if it is sown
+    float storedWidening = 1.0f;          ///< of its stored blades, as deltas have them
 };
 
 } // namespace sward::render

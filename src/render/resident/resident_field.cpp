@@ -6,6 +6,8 @@
 #include "render/field/edited_field.h"
 #include "render/resident/resident_parts.h"
 #include "render/sowing/sown_memory.h"
+#include "render/sowing/sown_tables.h"
+#include "render/sowing/stored_cells.h"
 #include "render/sowing/sown_view.h"
 #include "render/streaming/page_budget.h"
 #include "shaders/shared/pages.h"
@@ -92,7 +94,7 @@ std::uint32_t pagesOf(const field::FieldView& field, const FieldBudget& budget,
 
 bool sows(const field::FieldView& field, const FieldBudget& budget)
 {
-    return budget.sownBytes > 0 && !budget.isEditable && isSown(field);
+    return budget.sownBytes > 0 && isSown(field);
 }
 
 DeviceField sownField(const gpu::DeviceContext& context, gpu::BufferUpload& upload,
@@ -100,15 +102,21 @@ DeviceField sownField(const gpu::DeviceContext& context, gpu::BufferUpload& uplo
 {
     const SownView whole(stored);
     const field::FieldView& field = whole.view();
-    GrassCover cover(context, upload, field, whole.leafArea(), false);
+    GrassCover cover(context, upload, field, whole.leafArea(), budget.isEditable,
+                     whole.bladesPerStored());
     // The host needs memory, too.
     const std::uint64_t most = (budget.bytes > 0 ? budget.bytes : context.deviceLocalBytes()) / 2;
     const std::uint64_t bytes = std::min(budget.sownBytes, most);
     DeviceField::Settings settings{.framesInFlight = budget.framesInFlight};
     const SownMemory memory = SownMemory::of(bytes, bytesOfPlace(budget), budget.framesInFlight,
                                              budget.sowsOnDevice, context.isCpu());
-    settings.sown = std::make_unique<SownTables>(
-        field, memory.room, context.isCpu() ? shared::walkStart : shared::walkStartOfGpu);
+    const std::uint32_t walkStart = context.isCpu() ? shared::walkStart : shared::walkStartOfGpu;
+    if (budget.isEditable) {
+        settings.sown = StoredCells::tablesFor(memory.room, field, walkStart);
+        settings.stored = std::make_unique<StoredCells>(field, *settings.sown);
+    } else {
+        settings.sown = std::make_unique<SownTables>(field, memory.room, walkStart);
+    }
     const std::uint64_t needed =
         cover.bytes() + bytesWith(field, budget, settings.sown->tables().bladeRoom) +
         (memory.device ? memory.device->deviceBytes() : 0);

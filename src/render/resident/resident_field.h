@@ -31,7 +31,8 @@ struct FieldBudget {
     bool keepsMotion = false;         ///< … and Grass::Settings::keepsMotion
     std::uint32_t framesInFlight = 2; ///< at least Grass::Settings::framesInFlight
     bool waitsForDisk = false;        ///< false: blades not in CPU memory come in later frames
-    bool isEditable = false;          ///< for Grass::edit(): not streamed; edits may need more
+    bool isEditable = false;          ///< for Grass::edit(): not streamed; edits may need more; may
+                                      ///< be sown
 
     /// For the blades that a field with seeds sows near the views (decision 0045); 0: none. At most
     /// half of `bytes`, if these are limited.

@@ -242,7 +242,7 @@ DeviceSower::Finished DeviceSower::finish(std::uint32_t slot)
             return one.cell / shared::sowCells != number;
         });
         if (failed[number] != 0)
-            finished.refused.push_back(from.units[number]);
+            finished.refused.push_back(from.units[number].unit);
         else
             finished.grown.push_back(unpacked(from.units[number], {first, end}));
         first = end;
@@ -252,15 +252,17 @@ DeviceSower::Finished DeviceSower::finish(std::uint32_t slot)
 }
 
 /// The patches of a unit as the field's tables have them.
-DeviceSower::Grown DeviceSower::unpacked(const field::SowUnit& unit,
+DeviceSower::Grown DeviceSower::unpacked(const Unit& of,
                                          std::span<const shared::SowPatch> patches) const
 {
+    const field::SowUnit& unit = of.unit;
     constexpr float cellSide = 32.0f;
     constexpr float rounding = 2.4e-7f; ///< of a sum of floats, relative
     Grown grown;
     grown.unit.unit = unit;
     field::SownCell cell;
     cell.cell = unit.cell;
+    cell.heightStep = of.heightStep;
     field::SubtreeDescription all;
     for (const shared::SowPatch& from : patches) {
         field::SownPatch part;
@@ -352,7 +354,8 @@ DeviceSower::Added DeviceSower::add(const UnitOrder& order)
     for (const std::uint32_t piece : order.pieces)
         runs_.push_back({number, piece});
     orders_.push_back(own);
-    units_.push_back(order.unit);
+    units_.push_back(
+        {order.unit, 1.0f / sower_->meadowAt(order.cell->around()).heightsPerMetre});
     candidates_ += order.candidates;
     return Added::yes;
 }

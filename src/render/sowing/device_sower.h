@@ -78,11 +78,15 @@ public:
     VkDeviceSize bytes() const;
 
 private:
+    struct Unit {
+        field::SowUnit unit;
+        float heightStep = 0.0f; ///< of its blades
+    };
     struct Slot {
         gpu::Buffer staging;
         gpu::Buffer blades;  ///< of the last batch
         gpu::Buffer results; ///< counts, words of units, patches; read by the CPU
-        std::vector<field::SowUnit> units;
+        std::vector<Unit> units;
     };
     struct Copy {
         VkBuffer to = VK_NULL_HANDLE;
@@ -91,7 +95,7 @@ private:
     void stageFor(const gpu::Buffer& to, VkDeviceSize offset, std::span<const std::byte> bytes);
     void recordBatch(const gpu::Recording& commands, gpu::Timestamps* times);
     void recordPlaces(const gpu::Recording& commands, const gpu::Buffer& blades);
-    Grown unpacked(const field::SowUnit& unit, std::span<const shared::SowPatch> patches) const;
+    Grown unpacked(const Unit& of, std::span<const shared::SowPatch> patches) const;
 
     const field::Sower* sower_;
     Settings settings_;
@@ -114,7 +118,7 @@ private:
     std::vector<shared::SowOrder> orders_;
     std::vector<shared::SowRun> runs_;
     std::vector<shared::SowMove> moves_;
-    std::vector<field::SowUnit> units_;
+    std::vector<Unit> units_;
     double candidates_ = 0.0;
 };
 

@@ -58,6 +58,7 @@ std::vector<std::byte> bytesOf(const field::UnitCell& cell, VkDeviceAddress addr
     header.headMask = static_cast<std::uint32_t>(around.clumps.heads().size() - 1);
     header.centreCount = static_cast<std::uint32_t>(centres.size());
     header.ground = around.ground;
+    header.heightScale = around.heightScale;
     std::memcpy(result.data(), &header, sizeof header);
     return result;
 }

@@ -33,6 +33,28 @@ SowChoice::SowChoice(const field::SeedsView& seeds)
     while (firstLevel_ <= levels &&
            field::lowestRank(firstLevel_, 0, levels) < static_cast<float>(seeds.meadow->stored))
         ++firstLevel_;
+    for (const field::SeedEntry& entry : seeds.cells)
+        add(entry.cell);
+}
+
+std::size_t SowChoice::add(const std::array<std::int32_t, 3>& cell)
+{
+    const auto [found, isNew] = indices_.try_emplace(cell, cells_.size());
+    if (isNew)
+        cells_.push_back(cell);
+    return found->second;
+}
+
+bool SowChoice::mayBear(const field::SowUnit& unit) const
+{
+    const auto known = bearing_.find(unit.cell);
+    if (known == bearing_.end())
+        return true;
+    const std::array<std::uint8_t, 3> place{static_cast<std::uint8_t>(unit.place[0]),
+                                            static_cast<std::uint8_t>(unit.place[1]),
+                                            static_cast<std::uint8_t>(unit.place[2])};
+    const auto& places = known->second[field::unitLevel(unit.level)];
+    return std::ranges::find(places, place) != places.end();
 }
 
 void SowChoice::findIn(std::size_t index, std::span<const shared::Eyepoint> eyes,
@@ -40,7 +62,7 @@ void SowChoice::findIn(std::size_t index, std::span<const shared::Eyepoint> eyes
 {
     const std::uint32_t levels = seeds_->meadow->levels;
     field::SowUnit unit;
-    unit.cell = seeds_->cells[index].cell;
+    unit.cell = cells_[index];
     const float most = shareIn(field::boxOf(unit), eyes);
     if (firstLevel_ > levels || most <= field::lowestRank(firstLevel_, 0, levels))
         return;
@@ -68,7 +90,7 @@ void SowChoice::findIn(std::size_t index, std::span<const shared::Eyepoint> eyes
 void SowChoice::find(std::span<const shared::Eyepoint> eyes, std::vector<Wanted>& wanted) const
 {
     wanted.clear();
-    for (std::size_t i = 0; i < seeds_->cells.size(); ++i)
+    for (std::size_t i = 0; i < cells_.size(); ++i)
         findIn(i, eyes, wanted);
     std::ranges::sort(wanted, [](const Wanted& a, const Wanted& b) {
         return std::tie(b.score, a.unit) < std::tie(a.score, b.unit);
@@ -101,9 +123,9 @@ void SowChoice::know(const std::array<std::int32_t, 3>& cell, const field::UnitC
 
 std::size_t SowChoice::indexOf(const std::array<std::int32_t, 3>& cell) const
 {
-    const auto found = std::ranges::lower_bound(seeds_->cells, cell, {}, &field::SeedEntry::cell);
-    expect(found != seeds_->cells.end() && found->cell == cell, "a cell of the seeds");
-    return static_cast<std::size_t>(found - seeds_->cells.begin());
+    const auto found = indices_.find(cell);
+    expect(found != indices_.end(), "a cell of the seeds");
+    return found->second;
 }
 
 } // namespace sward::render

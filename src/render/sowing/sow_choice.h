@@ -39,6 +39,12 @@ public:
     /// Says where a cell bears.
     void know(const std::array<std::int32_t, 3>& cell, const field::UnitCell::Cubes& cubes);
 
+    /// Number of a cell of the seeds; those that they lacked at first follow.
+    std::size_t add(const std::array<std::int32_t, 3>& cell);
+
+    /// Whether something may bear in a unit, as far as that is known.
+    bool mayBear(const field::SowUnit& unit) const;
+
     /// Number of a cell of the seeds.
     std::size_t indexOf(const std::array<std::int32_t, 3>& cell) const;
 
@@ -51,6 +57,8 @@ private:
 
     const field::SeedsView* seeds_;
     std::uint32_t firstLevel_; ///< levels below are stored
+    std::vector<std::array<std::int32_t, 3>> cells_;
+    std::map<std::array<std::int32_t, 3>, std::size_t> indices_; ///< of these
     std::map<std::array<std::int32_t, 3>, Bearing> bearing_;
 };
 

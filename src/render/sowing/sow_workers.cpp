@@ -103,22 +103,60 @@ void SowWorkers::work()
     }
 }
 
+void SowWorkers::replace(std::size_t cell, std::shared_ptr<const field::SeedCell> content)
+{
+    const std::lock_guard lock(mutex_);
+    Replaced& replaced = replaced_[cell];
+    replaced.content = std::move(content);
+    ++replaced.version;
+    cached_.remove_if([&](const Cached& one) { return one.cell == cell; });
+}
+
+std::uint32_t SowWorkers::versionOf(std::size_t cell)
+{
+    const std::lock_guard lock(mutex_);
+    const auto found = replaced_.find(cell);
+    return found == replaced_.end() ? 0 : found->second.version;
+}
+
+std::shared_ptr<const field::SeedCell> SowWorkers::contentOf(std::size_t cell)
+{
+    {
+        const std::lock_guard lock(mutex_);
+        if (const auto found = replaced_.find(cell); found != replaced_.end())
+            return found->second.content;
+        if (const auto found = std::ranges::find(cached_, cell, &Cached::cell);
+            found != cached_.end())
+            return {found->content, &found->content->seeds()};
+    }
+    if (cell >= seeds_->cells.size())
+        return std::make_shared<const field::SeedCell>();
+    return std::make_shared<const field::SeedCell>(
+        field::readSeedCell(*seeds_, cell, "the field's seeds"));
+}
+
 SowWorkers::Result SowWorkers::done(const Job& job)
 {
     if (!job.unit) {
-        const field::SeedCell cell = field::readSeedCell(*seeds_, job.cell, "the field's seeds");
-        return {.cell = cell.cell,
-                .cubes = field::cubesOf(cell, sower_.meadow().unitBits),
+        const std::uint32_t version = versionOf(job.cell);
+        const std::shared_ptr<const field::SeedCell> cell = contentOf(job.cell);
+        return {.cell = cell->cell,
+                .cubes = field::cubesOf(*cell, sower_.meadow().unitBits),
                 .unit = {},
-                .order = {}};
+                .order = {},
+                .version = version};
     }
-    std::shared_ptr<const field::UnitCell> cell = cellAt(job.cell);
-    Result result{.cell = cell->seeds().cell, .cubes = cell->cubes(), .unit = {}, .order = {}};
+    Cached cell = cellAt(job.cell);
+    Result result{.cell = cell.content->seeds().cell,
+                  .cubes = cell.content->cubes(),
+                  .unit = {},
+                  .order = {},
+                  .version = cell.version};
     if (job.isForDevice) {
-        result.order = orderOf(sower_, job.cell, std::move(cell), *job.unit);
+        result.order = orderOf(sower_, job.cell, std::move(cell.content), *job.unit);
         return result;
     }
-    result.unit = field::growUnit(sower_, species_, *cell, *job.unit);
+    result.unit = field::growUnit(sower_, species_, *cell.content, *job.unit);
     result.unit->keys = {};
     return result;
 }
@@ -126,29 +164,33 @@ SowWorkers::Result SowWorkers::done(const Job& job)
 field::GrownUnit SowWorkers::grow(const Job& job)
 {
     expect(job.unit.has_value(), "a unit to grow");
-    return field::growUnit(sower_, species_, *cellAt(job.cell), *job.unit);
+    return field::growUnit(sower_, species_, *cellAt(job.cell).content, *job.unit);
 }
 
 /// One thread unpacks a cell; the others that want it wait.
-std::shared_ptr<const field::UnitCell> SowWorkers::cellAt(std::size_t index)
+SowWorkers::Cached SowWorkers::cellAt(std::size_t index)
 {
     std::unique_lock lock(mutex_);
     for (;;) {
         const auto found = std::ranges::find(cached_, index, &Cached::cell);
         if (found != cached_.end()) {
             cached_.splice(cached_.begin(), cached_, found);
-            return found->content;
+            return *found;
         }
         if (!making_.contains(index))
             break;
         changed_.wait(lock);
     }
     making_.insert(index);
+    const auto replaced = replaced_.find(index);
+    const Replaced now = replaced == replaced_.end() ? Replaced() : replaced->second;
     lock.unlock();
-    std::shared_ptr<const field::UnitCell> made;
+    Cached made{.cell = index, .version = now.version, .content = {}};
     try {
-        made = std::make_shared<const field::UnitCell>(
-            field::readSeedCell(*seeds_, index, "the field's seeds"), sower_);
+        made.content = std::make_shared<const field::UnitCell>(
+            now.content ? field::SeedCell(*now.content)
+                        : field::readSeedCell(*seeds_, index, "the field's seeds"),
+            sower_);
     } catch (...) {
         lock.lock();
         making_.erase(index);
@@ -157,7 +199,10 @@ std::shared_ptr<const field::UnitCell> SowWorkers::cellAt(std::size_t index)
     }
     lock.lock();
     making_.erase(index);
-    cached_.push_front({index, made});
+    // It may have been replaced meanwhile.
+    if (const auto found = replaced_.find(index);
+        found == replaced_.end() || found->second.version == made.version)
+        cached_.push_front(made);
     if (cached_.size() > keptCells)
         cached_.pop_back();
     changed_.notify_all();

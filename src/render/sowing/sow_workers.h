@@ -13,6 +13,7 @@
 #include <deque>
 #include <exception>
 #include <list>
+#include <map>
 #include <memory>
 #include <mutex>
 #include <optional>
@@ -34,7 +35,7 @@ public:
 
     /// A unit to grow, or a cell of which only the cubes are wanted.
     struct Job {
-        std::size_t cell = 0; ///< of SeedsView::cells
+        std::size_t cell = 0; ///< of SeedsView::cells; those that edits have added follow
         std::optional<field::SowUnit> unit;
         bool isForDevice = false; ///< the unit's order is wanted, not its blades
     };
@@ -45,7 +46,15 @@ public:
         field::UnitCell::Cubes cubes; ///< of the cell
         std::optional<field::GrownUnit> unit;
         std::optional<UnitOrder> order;
+        std::uint32_t version = 0; ///< of the cell that it was grown from
     };
+
+    /// Replaces a cell. Results of the former one may still come.
+    void replace(std::size_t cell, std::shared_ptr<const field::SeedCell> content);
+    std::uint32_t versionOf(std::size_t cell); ///< counts how often it was replaced
+
+    /// What a cell holds now. Throws Error{input} for damaged seeds.
+    std::shared_ptr<const field::SeedCell> contentOf(std::size_t cell);
 
     /// Replaces the jobs that no thread has begun, and does those first that come first.
     void want(std::vector<Job> jobs);
@@ -67,12 +76,17 @@ public:
 
 private:
     struct Cached {
-        std::size_t cell;
+        std::size_t cell = 0;
+        std::uint32_t version = 0;
         std::shared_ptr<const field::UnitCell> content;
+    };
+    struct Replaced {
+        std::shared_ptr<const field::SeedCell> content;
+        std::uint32_t version = 0;
     };
     void work();
     Result done(const Job& job);
-    std::shared_ptr<const field::UnitCell> cellAt(std::size_t index);
+    Cached cellAt(std::size_t index);
 
     const field::SeedsView* seeds_;
     std::vector<field::Species> species_;
@@ -87,6 +101,7 @@ private:
     std::exception_ptr failure_;
     std::list<Cached> cached_;     ///< cells, the last used first
     std::set<std::size_t> making_; ///< cells that are being unpacked
+    std::map<std::size_t, Replaced> replaced_;
 
     std::vector<std::thread> threads_; ///< last: they use the others
 };

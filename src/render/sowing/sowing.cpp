@@ -1,7 +1,9 @@
 #include "render/sowing/sowing.h"
 
+#include "core/error.h"
 #include "core/expect.h"
 #include "core/stopwatch.h"
+#include "field/seeds/changed_cubes.h"
 #include "render/streaming/thinning.h"
 #include "shaders/shared/pages.h"
 #include "shaders/shared/visibility.h"
@@ -51,9 +53,10 @@ double bladesPerArea(const field::SeedMeadow& meadow)
 
 Sowing::Sowing(const gpu::DeviceContext& context, const gpu::ShaderLibrary& shaders,
                const field::FieldView& field, std::unique_ptr<SownTables> tables,
-               const Settings& settings)
+               std::unique_ptr<StoredCells> stored, const Settings& settings)
     : settings_(settings)
     , tables_(std::move(tables))
+    , stored_(std::move(stored))
     , choice_(*field.seeds)
     , workers_(field, settings.threads)
     , staged_(context, shaders, settings.framesInFlight)
@@ -65,6 +68,60 @@ Sowing::Sowing(const gpu::DeviceContext& context, const gpu::ShaderLibrary& shad
                                             std::max(field.seeds->meadow->stored, 1e-12)))
     , nearestMissing_(std::numeric_limits<float>::infinity())
 {
+}
+
+bool Sowing::isThere(const field::SowUnit& unit) const
+{
+    const auto found = present_.find(unit);
+    return found != present_.end() && !found->second.isStale;
+}
+
+void Sowing::apply(const field::Delta& delta, const StagedEdits::Cover& cover)
+{
+    requireUsage(stored_ != nullptr, "the sown field is not editable");
+    Edit edit;
+    const auto makesRoom = [&] {
+        return makeRoom(std::numeric_limits<float>::infinity(), edit);
+    };
+    for (const field::CellChange& change : delta.cells)
+        stored_->replace(change, *tables_, edit, makesRoom);
+    stored_->retire(*tables_, edit);
+    edit.patches = united(std::move(edit.patches));
+    edit.entries = united(std::move(edit.entries));
+    edit.firstEntries = united(std::move(edit.firstEntries));
+    staged_.add(edit, tables_->tables(), cover);
+    replace(delta.seeds);
+}
+
+void Sowing::replace(std::span<const std::shared_ptr<const field::SeedCell>> cells)
+{
+    const std::uint32_t unitBits = workers_.sower().meadow().unitBits;
+    for (const std::shared_ptr<const field::SeedCell>& cell : cells) {
+        const std::size_t index = choice_.add(cell->cell);
+        const field::UnitCell::Cubes changed =
+            field::changedCubes(*workers_.contentOf(index), *cell, unitBits);
+        workers_.replace(index, cell);
+        choice_.know(cell->cell, field::cubesOf(*cell, unitBits));
+        const auto isChanged = [&](const field::SowUnit& unit) {
+            return unit.cell == cell->cell && field::bears(changed, unit);
+        };
+        std::erase_if(ready_, [&](const auto& one) { return isChanged(one.first); });
+        // Orders have the cell as it was.
+        std::erase_if(orders_, [&](const auto& one) { return one.first.cell == cell->cell; });
+        for (auto& [unit, isStale] : growing_)
+            isStale = isStale || isChanged(unit);
+        if (device_)
+            device_->forgetCell(index);
+        for (auto& [unit, present] : present_)
+            present.isStale = present.isStale || isChanged(unit);
+    }
+    if (!cells.empty())
+        looked_.clear();
+}
+
+std::vector<std::uint32_t> Sowing::placesOf(const field::FieldView& field) const
+{
+    return stored_ ? stored_->placesOf(field) : std::vector<std::uint32_t>();
 }
 
 void Sowing::choose(std::span<shared::Eyepoint> seen, std::uint32_t slot)
@@ -133,16 +190,30 @@ void Sowing::bring(std::size_t views)
     for (auto& [unit, present] : present_)
         present.score = choice_.scoreOf(unit, eyes_);
     Edit edit;
+    dropStale(edit);
     takeIn(edit);
     if (!edit.patches.empty()) {
         edit.patches = united(std::move(edit.patches));
         edit.entries = united(std::move(edit.entries));
         edit.firstEntries = united(std::move(edit.firstEntries));
         staged_.add(edit, tables_->tables());
-        std::erase_if(ready_, [&](const auto& one) { return present_.contains(one.first); });
+        std::erase_if(ready_, [&](const auto& one) { return isThere(one.first); });
     }
     ask();
     findMissing(std::span(eyes_).first(views));
+}
+
+/// Removes stale units that no eye wants, or in which nothing bears any more.
+void Sowing::dropStale(Edit& edit)
+{
+    std::erase_if(present_, [&](const auto& one) {
+        const Present& present = one.second;
+        if (!present.isStale || (present.score > 1.0f && choice_.mayBear(one.first)))
+            return false;
+        if (present.place.bladeCount > 0)
+            tables_->remove(present.place, edit);
+        return true;
+    });
 }
 
 /// Takes what the workers have grown. Returns false if there was nothing.
@@ -150,6 +221,8 @@ bool Sowing::takeResults()
 {
     std::vector<SowWorkers::Result> results = workers_.take();
     for (SowWorkers::Result& result : results) {
+        if (result.version != workers_.versionOf(choice_.indexOf(result.cell)))
+            continue;
         if (!choice_.knows(result.cell))
             choice_.know(result.cell, result.cubes);
         if (result.order)
@@ -157,7 +230,7 @@ bool Sowing::takeResults()
         if (!result.unit)
             continue;
         const field::SowUnit unit = result.unit->unit;
-        if (result.unit->patches.empty())
+        if (result.unit->patches.empty() && !present_.contains(unit))
             present_[unit] = {};
         else
             ready_[unit] = std::move(*result.unit);
@@ -175,8 +248,12 @@ bool Sowing::takeBatch(std::uint32_t slot)
     device_->begin(slot);
     for (DeviceSower::Grown& one : finished.grown) {
         const field::SowUnit unit = one.unit.unit;
-        growing_.erase(unit);
-        if (one.unit.patches.empty())
+        const auto growing = growing_.find(unit);
+        const bool isStale = growing->second;
+        growing_.erase(growing);
+        if (isStale)
+            continue;
+        if (one.unit.patches.empty() && !present_.contains(unit))
             present_[unit] = {};
         else
             landed_[unit] = std::move(one);
@@ -204,7 +281,10 @@ void Sowing::order()
         const DeviceSower::Added added = device_->add(found->second);
         if (added == DeviceSower::Added::later)
             return;
-        (added == DeviceSower::Added::yes ? growing_ : refused_).insert(one.unit);
+        if (added == DeviceSower::Added::yes)
+            growing_[one.unit] = false;
+        else
+            refused_.insert(one.unit);
         orders_.erase(found);
     }
     // What is left is not wanted any more.
@@ -214,7 +294,7 @@ void Sowing::order()
 /// Whether a unit is there, or on its way.
 bool Sowing::isKnown(const field::SowUnit& unit) const
 {
-    return present_.contains(unit) || ready_.contains(unit) || orders_.contains(unit) ||
+    return isThere(unit) || ready_.contains(unit) || orders_.contains(unit) ||
            growing_.contains(unit) || landed_.contains(unit);
 }
 
@@ -251,7 +331,7 @@ void Sowing::takeIn(Edit& edit)
     missing_ = 0;
     bool isInOrder = true;
     for (const SowChoice::Wanted& one : wanted_) {
-        if (!one.isCell && present_.contains(one.unit))
+        if (!one.isCell && isThere(one.unit))
             continue;
         const auto landed = one.isCell ? landed_.end() : landed_.find(one.unit);
         const auto grown = one.isCell ? ready_.end() : ready_.find(one.unit);
@@ -260,8 +340,18 @@ void Sowing::takeIn(Edit& edit)
         if (isFull_ || (landed == landed_.end() &&
                         (grown == ready_.end() || (settings_.waits && !isInOrder) || copied_ >= most)))
             continue;
+        if (const auto stale = present_.find(one.unit); stale != present_.end()) {
+            if (stale->second.place.bladeCount > 0)
+                tables_->remove(stale->second.place, edit);
+            present_.erase(stale);
+        }
         const bool hasLanded = landed != landed_.end();
         const field::UnitPatches& unit = hasLanded ? landed->second.unit : grown->second;
+        if (unit.patches.empty()) {
+            present_[one.unit] = {};
+            --missing_;
+            continue;
+        }
         const std::optional<SownTables::Place> place = placeFor(unit, one.score, edit);
         if (!place) {
             isFull_ = true;
@@ -279,7 +369,7 @@ void Sowing::takeIn(Edit& edit)
     // Forgets grown units that no eye wants any more.
     if (ready_.size() > 2 * maxJobs)
         std::erase_if(ready_, [&](const auto& one) {
-            return !present_.contains(one.first) &&
+            return !isThere(one.first) &&
                    std::ranges::find(wanted_, one.first, &SowChoice::Wanted::unit) == wanted_.end();
         });
 }
@@ -392,7 +482,7 @@ field::GrownUnit Sowing::grownAgain(const field::SowUnit& unit)
 std::uint64_t Sowing::visiblePatches(const shared::Eyepoint& view) const
 {
     const FieldTables tables = tables_->tables();
-    std::uint64_t sum = tables_->storedPatches();
+    std::uint64_t sum = tables_->storedPatches() + (stored_ ? stored_->patchCount() : 0);
     for (const auto& [unit, present] : present_) {
         if (present.place.bladeCount == 0)
             continue;

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "field/delta.h"
 #include "field/field.h"
 #include "gpu/context/context.h"
 #include "gpu/pipeline/shader_library.h"
@@ -12,6 +13,7 @@
 #include "render/sowing/sow_choice.h"
 #include "render/sowing/sow_workers.h"
 #include "render/sowing/sown_tables.h"
+#include "render/sowing/stored_cells.h"
 #include "render/sowing/unit_order.h"
 #include "render/streaming/eye_motion.h"
 #include "shaders/shared/eyepoint.h"
@@ -40,10 +42,11 @@ public:
         std::optional<DeviceSower::Settings> device{}; ///< none: the CPU grows all, as if it waits
     };
 
-    /// The data viewed by `field` must outlive it.
+    /// The data viewed by `field` must outlive it. `stored`: its stored cells in the tables, if
+    /// these are to be edited; else null.
     Sowing(const gpu::DeviceContext& context, const gpu::ShaderLibrary& shaders,
            const field::FieldView& field, std::unique_ptr<SownTables> tables,
-           const Settings& settings);
+           std::unique_ptr<StoredCells> stored, const Settings& settings);
 
     const SownTables& tables() const { return *tables_; }
 
@@ -57,6 +60,19 @@ public:
     void record(const gpu::Recording& commands, const BakedBlades& baked,
                 std::span<const BladeStates* const> states, std::uint32_t settledAt,
                 std::uint32_t slot);
+
+    /// Replaces cells of an edited field (field::Delta), from the next choose() on. Stored blades
+    /// keep their states; what is sown in changed places is drawn as it was until it has grown
+    /// again. Throws Error{usage} unless the stored cells were given, Error{input} for damaged
+    /// seeds, Error{runtime} if there is no room for stored blades.
+    void apply(const field::Delta& delta, const StagedEdits::Cover& cover);
+
+    /// Replaces what bears in cells.
+    void replace(std::span<const std::shared_ptr<const field::SeedCell>> cells);
+
+    /// The place of each blade of the stored field; none if these are those of the field.
+    std::vector<std::uint32_t> placesOf(const field::FieldView& field) const;
+    bool isEditable() const { return stored_ != nullptr; }
 
     /// Whether further frames would change nothing with a fixed eye.
     bool isSettled() const { return isSettled_; }
@@ -90,7 +106,10 @@ private:
     struct Present {
         SownTables::Place place; ///< of a unit without blades: no places
         float score = 0.0f;
+        bool isStale = false; ///< its cell has been replaced, and it has changed
     };
+    bool isThere(const field::SowUnit& unit) const; ///< and not stale
+    void dropStale(Edit& edit);
     bool takeResults();
     bool takeBatch(std::uint32_t slot);
     void order();
@@ -109,6 +128,7 @@ private:
 
     Settings settings_;
     std::unique_ptr<SownTables> tables_;
+    std::unique_ptr<StoredCells> stored_;
     SowChoice choice_;
     SowWorkers workers_;
     StagedEdits staged_;
@@ -118,7 +138,7 @@ private:
     std::map<field::SowUnit, Present> present_;
     std::map<field::SowUnit, field::GrownUnit> ready_;    ///< grown, and not in memory yet
     std::map<field::SowUnit, UnitOrder> orders_;          ///< for the device
-    std::set<field::SowUnit> growing_;                    ///< in batches that are not done
+    std::map<field::SowUnit, bool> growing_;              ///< in batches; whether an edit is newer
     std::map<field::SowUnit, DeviceSower::Grown> landed_; ///< of the batch that has just been done
     std::set<field::SowUnit> refused_;                    ///< the CPU has to grow them
     std::uint64_t allBlades_;

@@ -29,6 +29,19 @@ SownView::SownView(const field::FieldView& stored)
     view_.thinned = 1.0;
 }
 
+SownDelta::SownDelta(const field::Delta& stored, float widening)
+    : delta_(stored)
+{
+    for (field::CellChange& change : delta_.cells) {
+        std::vector<shared::Patch>& own =
+            patches_.emplace_back(change.patches.begin(), change.patches.end());
+        for (shared::Patch& patch : own)
+            patch.widthStep /= widening;
+    }
+    for (std::size_t i = 0; i < patches_.size(); ++i)
+        delta_.cells[i].patches = patches_[i];
+}
+
 field::LeafAreaGrid SownView::leafArea() const
 {
     field::LeafAreaGrid grid = field::leafAreaOf(view_);

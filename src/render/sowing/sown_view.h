@@ -1,5 +1,6 @@
 #pragma once
 
+#include "field/delta.h"
 #include "field/field.h"
 #include "field/measure/leaf_area.h"
 #include "shaders/shared/patch.h"
@@ -23,10 +24,26 @@ public:
     /// field::leafAreaOf() the whole meadow: of the stored blades, over their share of all.
     field::LeafAreaGrid leafArea() const;
 
+    /// How many blades a stored one stands for.
+    double bladesPerStored() const { return 1.0 / share_; }
+
 private:
     std::vector<shared::Patch> patches_;
     field::FieldView view_;
     double share_; ///< of the blades that is stored
+};
+
+/// A change of a field with seeds, as SownView sees the field.
+class SownDelta {
+public:
+    /// The data viewed by `stored` must outlive it.
+    SownDelta(const field::Delta& stored, float widening);
+
+    const field::Delta& delta() const { return delta_; }
+
+private:
+    std::vector<std::vector<shared::Patch>> patches_; ///< of each cell
+    field::Delta delta_;
 };
 
 /// Whether a field's rest is sown: it has seeds, and stores some of their blades, but not all.

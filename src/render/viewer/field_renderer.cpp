@@ -161,7 +161,7 @@ FieldRenderer::~FieldRenderer() = default;
 
 bool FieldRenderer::Parts::sows(const field::FieldView& view) const
 {
-    return settings.sownBytes > 0 && !settings.isEditable && render::isSown(view);
+    return settings.sownBytes > 0 && render::isSown(view);
 }
 
 /// A field whose blades near the eye are sown.
@@ -172,7 +172,8 @@ std::unique_ptr<DeviceField> FieldRenderer::Parts::sownField(const field::FieldV
     gpu::Uploader uploader(context);
     field::LeafAreaGrid grid = whole.leafArea();
     const float exposure = chosenExposure(view, grid);
-    GrassCover cover(context, uploader, view, std::move(grid), false);
+    GrassCover cover(context, uploader, view, std::move(grid), settings.isEditable,
+                     whole.bladesPerStored());
     // Pictures and ground need memory, too.
     const std::uint64_t most =
         (settings.deviceBytes > 0 ? settings.deviceBytes : context.deviceLocalBytes()) / 2;
@@ -184,9 +185,14 @@ std::unique_ptr<DeviceField> FieldRenderer::Parts::sownField(const field::FieldV
     const std::uint64_t places = view.blades.size() + memory.room.blades;
     if (geometry == Geometry::raster)
         expectNumbers(context, places, ground.triangleCount());
+    const std::uint32_t walkStart = context.isCpu() ? shared::walkStart : shared::walkStartOfGpu;
+    auto tables = settings.isEditable ? StoredCells::tablesFor(memory.room, view, walkStart)
+                                      : std::make_unique<SownTables>(view, memory.room, walkStart);
+    auto cells =
+        settings.isEditable ? std::make_unique<StoredCells>(view, *tables) : nullptr;
     DeviceField::Settings own{
-        .sown = std::make_unique<SownTables>(
-            view, memory.room, context.isCpu() ? shared::walkStart : shared::walkStartOfGpu),
+        .sown = std::move(tables),
+        .stored = std::move(cells),
         .sowing = {.framesInFlight = settings.framesInFlight,
                    .threads = settings.sowThreads,
                    .waits = settings.waitsForDisk,
@@ -477,6 +483,8 @@ FieldRenderer::dumpBlades(const field::FieldView& field) const
     std::vector<std::uint32_t> places;
     if (own.edits)
         places = own.edits->field().placesOf(field);
+    else if (own.sowing)
+        places = own.sowing->placesOf(field);
     return readBlades(parts_->context, *parts_->blades, field, places);
 }
 
@@ -524,6 +532,8 @@ std::vector<FieldRenderer::BladeRecord> FieldRenderer::dumpPatch(const field::Fi
         parts = own.streaming->partsOf(cell);
     if (own.edits && cell.bladeCount > 0)
         parts = {{own.edits->field().placesOf(field)[cell.firstBlade], cell.bladeCount}};
+    if (own.sowing && own.sowing->isEditable() && cell.bladeCount > 0)
+        parts = {{own.sowing->placesOf(field)[cell.firstBlade], cell.bladeCount}};
     return readPatch(parts_->context, *parts_->blades, field, patch, parts);
 }
 

@@ -16,8 +16,10 @@ void FieldRenderer::apply(const field::Delta& delta)
     if (isStreamed())
         fail(ErrorKind::unsupported, "a field that is larger than its budget of device memory "
                                      "cannot be edited while it is shown");
-    requireUsage(parts.field->edits != nullptr, "FieldRendererSettings::isEditable is not set");
+    requireUsage(parts.field->isEditable(), "FieldRendererSettings::isEditable is not set");
     parts.field->apply(delta);
+    if (parts.field->edits == nullptr)
+        return;
     parts.field->edits->begin();
     parts.blades->followEdits();
 }

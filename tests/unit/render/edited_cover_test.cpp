@@ -15,7 +15,7 @@ TEST(EditedCover, IsThatOfTheFieldJoinedAnew)
     meadow.changes();
     const field::Field first = meadow.whole();
     field::LeafAreaGrid grid = field::leafAreaOf(field::viewOf(first));
-    EditedCover edited(field::viewOf(first), grid);
+    EditedCover edited(field::viewOf(first), grid, 1.0);
     shared::Cover colors = grid.shape;
     for (std::uint64_t step = 0; step < 6; ++step) {
         meadow.sow({std::int64_t(step % 3) - 1, 0, 0}, 700 * step, 0.7, step);

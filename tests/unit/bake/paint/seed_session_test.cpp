@@ -4,6 +4,9 @@
 #include "bake/session/session.h"
 #include "bake/settings/meadow.h"
 #include "field/delta.h"
+#include "field/seeds/changed_cubes.h"
+#include "field/seeds/sow_unit.h"
+#include "field/seeds/sower.h"
 #include "field/verify.h"
 #include "support/meshes.h"
 #include "unit/bake/paint/strokes.h"
@@ -174,6 +177,48 @@ TEST_F(SeedSession, ChangesTheCellsThatAStrokeTouches)
     strokes.list.push_back(tests::hardStroke(StrokeKind::erase, {{40.0, 0.0, 40.0}}, 1.0));
     strokes.list.back().normals = {{0, -1000, 0}};
     EXPECT_TRUE(session.apply(strokes, progress).cells.empty());
+}
+
+TEST_F(SeedSession, UnitsOutsideOfChangedCubesGrowTheSame)
+{
+    const terrain::GroundMesh ground = meshes::hills(40.0, 40);
+    Session session = sessionOf(ground, seededSettings(80.0));
+    const field::Field before = session.field();
+    const field::SeedsView& seeds = before.seeds->view;
+    Strokes strokes;
+    strokes.list = {
+        tests::hardStroke(StrokeKind::height, {{6.0, 0.0, 6.0}, {9.0, 0.0, 8.0}}, 1.0, 0.7)};
+    const Session::Change change = session.apply(tests::laidOn(ground, strokes), progress);
+    const field::Delta delta = session.deltaOf(change.cells);
+    ASSERT_EQ(delta.seeds.size(), 1U);
+    const field::Sower sower(*seeds.meadow, before.species, before.origin);
+    const auto entry = std::find_if(seeds.cells.begin(), seeds.cells.end(), [&](const auto& one) {
+        return one.cell == delta.seeds[0]->cell;
+    });
+    const field::UnitCell former(
+        field::readSeedCell(seeds, static_cast<std::size_t>(entry - seeds.cells.begin()), "before"),
+        sower);
+    const field::UnitCell now(field::SeedCell(*delta.seeds[0]), sower);
+    const field::UnitCell::Cubes changed =
+        field::changedCubes(former.seeds(), now.seeds(), sower.meadow().unitBits);
+    EXPECT_GT(changed.count(), 0U);
+    EXPECT_LT(changed.count(), 20U);
+    std::size_t others = 0;
+    field::SowUnit unit{.cell = delta.seeds[0]->cell};
+    for (unit.level = 0; unit.level <= sower.meadow().levels; ++unit.level) {
+        const std::uint32_t side = 1U << field::unitLevel(unit.level);
+        for (std::uint32_t p = 0; p < 2 * side * side * side; ++p) {
+            unit.half = p % 2;
+            unit.place = {p / 2 % side, p / 2 / side % side, p / 2 / side / side};
+            const auto a = field::growUnit(sower, before.species, former, unit).blades;
+            const auto b = field::growUnit(sower, before.species, now, unit).blades;
+            const bool isSame = a.size() == b.size() &&
+                                std::memcmp(a.data(), b.data(), a.size() * sizeof a[0]) == 0;
+            EXPECT_TRUE(isSame || field::bears(changed, unit));
+            others += isSame ? 0 : 1;
+        }
+    }
+    EXPECT_GT(others, 0U);
 }
 
 TEST_F(SeedSession, FollowsSculptedGround)
