@@ -135,10 +135,12 @@ TEST_F(SownEditTest, StoredBladesKeepTheirStates)
     for (int i = 0; i < 12; ++i)
         picture.draw(renderer, here(), windy, 1.0 + 0.05 * i);
     const auto tipsOf = [&](const field::Field& field) {
+        // Sown blades follow the stored ones.
         std::map<std::uint64_t, FieldRenderer::BladeRecord> tips;
-        for (const FieldRenderer::BladeRecord& one : renderer.dumpBlades(field::viewOf(field)))
-            if (one.lodWidth > 0.0f)
-                tips[one.id] = one;
+        const auto records = renderer.dumpBlades(field::viewOf(field));
+        for (std::size_t i = 0; i < field.blades.size(); ++i)
+            if (records[i].lodWidth > 0.0f)
+                tips[records[i].id] = records[i];
         return tips;
     };
     const auto first = tipsOf(before);
