@@ -26,4 +26,11 @@ struct Likeness {
 Likeness likeness(const std::vector<std::byte>& a, const std::vector<std::byte>& b,
                   const std::vector<std::byte>& bare, glm::uvec2 size);
 
+/// 1 − SSIM of the luma of two pictures (Wang et al. 2004): Gaussian windows of σ 1.5 pixels.
+double structuralError(const std::vector<std::byte>& a, const std::vector<std::byte>& b,
+                       glm::uvec2 size);
+
+/// Mean of ITU-R BT.709 luminance, linear.
+double meanLuminance(const std::vector<std::byte>& pixels);
+
 } // namespace sward::test

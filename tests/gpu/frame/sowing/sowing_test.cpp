@@ -1,15 +1,9 @@
 // A field with seeds: blades near the eye are sown while it is drawn.
-#include "bake/bake.h"
-#include "bake/seeds/grow_field.h"
-#include "bake/settings/meadow.h"
-#include "core/diagnostics.h"
-#include "core/progress.h"
-#include "field/seeds/seeds.h"
 #include "gpu/frame/likeness.h"
 #include "gpu/frame/picture.h"
+#include "gpu/frame/sowing/sown_meadow.h"
 #include "shaders/shared/culling.h"
 #include "support/gpu/gpu_fixture.h"
-#include "support/meshes.h"
 
 #include <gtest/gtest.h>
 
@@ -19,7 +13,6 @@
 #include <cstdint>
 #include <limits>
 #include <map>
-#include <memory>
 #include <vector>
 
 namespace sward::render {
@@ -27,42 +20,11 @@ namespace {
 
 constexpr glm::uvec2 size(160, 100);
 
-/// A meadow as it grows from its seeds, and its first sixteenth with these seeds.
-struct Meadow {
-    field::Field whole;
-    field::Field seeded;
-};
-
-Meadow makeMeadow()
-{
-    bake::BakeSettings settings;
-    settings.meadow = bake::loadMeadow("meadow");
-    settings.density = 60.0;
-    settings.exposureRays = 0;
-    settings.bladeScale = 1.0;
-    settings.seeds = bake::SeedUse::always;
-    Diagnostics diagnostics;
-    Progress progress;
-    field::Field baked =
-        bake::bakeField(meshes::hills(60.0, 20), settings, 1, diagnostics, progress).field;
-    const auto grow = [&](double share) {
-        bake::Growth growth;
-        growth.region.share = static_cast<float>(share);
-        return bake::growField(field::viewOf(baked), growth, 1, "seeded", progress);
-    };
-    constexpr double stored = 1.0 / 16.0;
-    field::Seeds seeds = baked.seeds->seeds;
-    seeds.meadow.stored = stored;
-    Meadow meadow{grow(1.0), grow(stored)};
-    meadow.seeded.seeds = std::make_shared<const field::SharedSeeds>(std::move(seeds));
-    return meadow;
-}
-
 class SowingTest : public test::GpuTest {
 protected:
-    static const Meadow& meadow()
+    static const test::SownMeadow& meadow()
     {
-        static const Meadow made = makeMeadow();
+        static const test::SownMeadow made = test::sownMeadow(60.0, 20, 60.0, 1.0 / 16.0);
         return made;
     }
 
