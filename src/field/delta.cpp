@@ -3,6 +3,7 @@
 #include "core/error.h"
 #include "core/files/atomic_file.h"
 #include "core/files/mapped_file.h"
+#include "field/seeds/seeds.h"
 #include "field/verify.h"
 
 #include <fmt/core.h>

@@ -1,7 +1,6 @@
 #pragma once
 
 #include "field/field.h"
-#include "field/seeds/seeds.h"
 #include "shaders/shared/blade.h"
 #include "shaders/shared/patch.h"
 
@@ -15,6 +14,8 @@
 #include <vector>
 
 namespace sward::field {
+
+struct SeedCell;
 
 /// What one 32 m cell of a field holds now, instead of what it held before.
 struct CellChange {

@@ -8,6 +8,7 @@
 #include "shaders/shared/sow/sown_blade.h"
 
 #include <glm/geometric.hpp>
+#include <tbb/parallel_for.h>
 
 #include <algorithm>
 #include <cmath>
@@ -16,6 +17,7 @@
 #include <map>
 #include <string_view>
 #include <unordered_map>
+#include <utility>
 #include <vector>
 
 namespace sward::bake {
@@ -138,20 +140,40 @@ public:
         result_.cell = cell;
     }
 
-    void add(const SeedPart& part)
+    // A part with what grows on it.
+    struct Sampled {
+        shared::SeedPiece piece = {};
+        std::vector<shared::SeedConditions> conditions; // one, or its grid; none: nothing grows
+        std::vector<std::uint32_t> bits;                // one a candidate, or none
+        bool isFormer = false;                          // all this is to be taken as it was
+    };
+
+    // Thread-safe.
+    Sampled sample(const SeedPart& part) const
+    {
+        Sampled sampled;
+        sampled.piece = pieceOf(of_.ground_, of_.settings_.seed, of_.meadow_.density, part);
+        const DAabb box = boxOfPart(of_.ground_, part);
+        sampled.isFormer = former_ != nullptr && !former_->isTouched(box);
+        if (!sampled.isFormer)
+            setConditions(part, TrianglePoints(of_.ground_, part.triangle), box, sampled);
+        return sampled;
+    }
+
+    void add(const SeedPart& part, Sampled&& sampled)
     {
         const TrianglePoints points(of_.ground_, part.triangle);
-        shared::SeedPiece piece = pieceOf(of_.ground_, of_.settings_.seed, of_.meadow_.density, part);
-        const std::array<std::uint32_t, 2> s = rangeOfS(part);
-        const DAabb box = boxOfPart(of_.ground_, part);
+        shared::SeedPiece& piece = sampled.piece;
         const shared::SeedPiece* const before = nextFormer(piece);
-        if (former_ != nullptr && !former_->isTouched(box)) {
-            if (before == nullptr)
-                return;
-            takeFormer(*before, piece);
-        } else if (!setConditions(part, points, s, box, piece)) {
+        if (sampled.isFormer && before != nullptr)
+            takeFormer(*before, sampled);
+        if (sampled.conditions.empty())
             return;
+        if (!sampled.bits.empty()) {
+            piece.bits = static_cast<std::uint32_t>(result_.words.size());
+            result_.words.insert(result_.words.end(), sampled.bits.begin(), sampled.bits.end());
         }
+        piece.records = addConditions(sampled.conditions);
         setCreases(part, piece);
         setCorners(part, points, piece);
         pieceOf_.try_emplace(part.triangle, static_cast<std::uint32_t>(result_.pieces.size()));
@@ -211,22 +233,22 @@ private:
     }
 
     // Takes number, bits and conditions of a part as they were.
-    void takeFormer(const shared::SeedPiece& before, shared::SeedPiece& piece)
+    void takeFormer(const shared::SeedPiece& before, Sampled& sampled) const
     {
         const field::SeedCell& cell = former_->cell;
+        shared::SeedPiece& piece = sampled.piece;
         piece.count = before.count;
         piece.form = before.form;
         piece.sStart = before.sStart;
         piece.sScale = before.sScale;
         if (before.bits != shared::noSeedBits) {
             const auto from = cell.words.begin() + std::ptrdiff_t(before.bits);
-            piece.bits = static_cast<std::uint32_t>(result_.words.size());
-            result_.words.insert(result_.words.end(), from,
-                                 from + std::ptrdiff_t((std::size_t(before.count) + 31) / 32));
+            sampled.bits.assign(from, from + std::ptrdiff_t((std::size_t(before.count) + 31) / 32));
         }
         const std::size_t points =
             std::size_t((before.form >> 10U & 255U) + 1) * ((before.form >> 18U & 255U) + 1);
-        piece.records = addConditions(std::span(cell.conditions).subspan(before.records, points));
+        const auto from = cell.conditions.begin() + std::ptrdiff_t(before.records);
+        sampled.conditions.assign(from, from + std::ptrdiff_t(points));
     }
 
     // First of these conditions in the cell; single ones are shared.
@@ -314,14 +336,15 @@ private:
         }
     }
 
-    // Samples the conditions of a part; false if nothing grows there.
-    bool setConditions(const SeedPart& part, const TrianglePoints& points,
-                       const std::array<std::uint32_t, 2>& s, const DAabb& box,
-                       shared::SeedPiece& piece)
+    // Samples the conditions of a part; leaves none if nothing grows there.
+    void setConditions(const SeedPart& part, const TrianglePoints& points, const DAabb& box,
+                       Sampled& sampled) const
     {
+        shared::SeedPiece& piece = sampled.piece;
+        const std::array<std::uint32_t, 2> s = rangeOfS(part);
         const PaintedPart painted = of_.sites_.paintedIn(box);
         if (piece.count == 0 && painted.highest <= 1.0)
-            return false;
+            return;
         std::vector<shared::SeedConditions> list;
         SampleGrid grid;
         const bool varies = of_.sites_.varies(part.triangle, box);
@@ -335,28 +358,27 @@ private:
         }
         const auto isZero = [](const auto& one) { return densityOf(one) == 0; };
         if (!painted.density && std::all_of(list.begin(), list.end(), isZero))
-            return false;
+            return;
         const bool isSharp = painted.density || std::any_of(list.begin(), list.end(), isZero);
-        if (isSharp && !setBits(part, points, painted.highest, piece))
-            return false;
+        if (isSharp && !setBits(part, points, painted.highest, sampled))
+            return;
         piece.form |= doublingsOf(painted.tallest) << 26U;
         if (areEqual(list)) {
-            piece.records = addConditions({list.data(), 1});
-            return true;
+            sampled.conditions.assign(1, list.front());
+            return;
         }
-        piece.records = addConditions(list);
+        sampled.conditions = std::move(list);
         piece.form |= grid.alongS << 10U | grid.alongV << 18U;
         piece.sStart = s[0];
         piece.sScale = static_cast<std::uint32_t>(
             std::min((std::uint64_t(grid.alongS) << 48U) / (s[1] - s[0]),
                      std::uint64_t(std::numeric_limits<std::uint32_t>::max())));
-        return true;
     }
 
     // Conditions at the corners of a whole triangle, and how they go on between them.
     CornerSites sampleCorners(const SeedPart& part, const TrianglePoints& points,
                               const PaintedPart& painted,
-                              std::vector<shared::SeedConditions>& list)
+                              std::vector<shared::SeedConditions>& list) const
     {
         CornerSites found;
         if (part.p + part.q > 0)
@@ -396,7 +418,7 @@ private:
     // triangle; then `list` has those of its corners.
     bool isEvenPart(const SeedPart& part, const TrianglePoints& points,
                     const std::array<std::uint32_t, 2>& s, const PaintedPart& painted,
-                    std::vector<shared::SeedConditions>& list)
+                    std::vector<shared::SeedConditions>& list) const
     {
         if (part.p + part.q == 0)
             return false;
@@ -432,7 +454,7 @@ private:
     void sampleGrid(const SeedPart& part, const TrianglePoints& points,
                     const std::array<std::uint32_t, 2>& s, const SampleGrid& grid,
                     const CornerSites& corners, const PaintedPart& painted,
-                    std::vector<shared::SeedConditions>& list)
+                    std::vector<shared::SeedConditions>& list) const
     {
         list.clear();
         std::uint32_t number = 0;
@@ -453,8 +475,9 @@ private:
 
     // Asks for each candidate, of this density relative to the bake's; false if none grows.
     bool setBits(const SeedPart& part, const TrianglePoints& points, double highest,
-                 shared::SeedPiece& piece)
+                 Sampled& sampled) const
     {
+        shared::SeedPiece& piece = sampled.piece;
         const TriangleSequence sequence(of_.settings_.seed, piece.source, part.back != 0);
         const std::uint32_t usual = piece.count;
         const std::uint32_t all = highest > 1.0 ? entriesOf(of_.ground_, of_.settings_.seed, highest * of_.meadow_.density, part, piece) : usual;
@@ -480,9 +503,8 @@ private:
         if (!growsAny)
             return false;
         piece.count = count;
-        piece.bits = static_cast<std::uint32_t>(result_.words.size());
-        result_.words.insert(result_.words.end(), bits.begin(),
-                             bits.begin() + std::ptrdiff_t((std::size_t(count) + 31) / 32));
+        bits.resize((std::size_t(count) + 31) / 32);
+        sampled.bits = std::move(bits);
         return true;
     }
 
@@ -554,8 +576,18 @@ field::SeedCell SeedCells::make(std::span<const SeedPlaces::Part> parts,
                                 const Former* former) const
 {
     Builder builder(*this, parts.front().cell, former);
-    for (const SeedPlaces::Part& part : parts)
-        builder.add(part.part);
+    if (former == nullptr) {
+        for (const SeedPlaces::Part& part : parts)
+            builder.add(part.part, builder.sample(part.part));
+    } else {
+        // One cell is all that there is to do: its few touched parts are dealt to threads.
+        std::vector<Builder::Sampled> sampled(parts.size());
+        tbb::parallel_for(std::size_t(0), parts.size(), [&](std::size_t i) {
+            sampled[i] = builder.sample(parts[i].part);
+        });
+        for (std::size_t i = 0; i < parts.size(); ++i)
+            builder.add(parts[i].part, std::move(sampled[i]));
+    }
     if (builder.growsAnything())
         for (const SeedPlaces::Centre& centre : centres)
             builder.add(centre.centre);
