@@ -272,11 +272,11 @@ void addDeltas(std::vector<Sample>& all)
     add("change.swdelta");
     const auto bare = std::make_shared<field::SeedCell>();
     bare->cell = {0, 0, 7};
-    field::writeDelta(path, {.origin = field.origin,
-                             .cells = {{{0, 0, 1}, field.patches, field.blades, field.keys}},
-                             .storage = {},
-                             .seeds = {std::make_shared<const field::SeedCell>(tests::seedCell()),
-                                       bare}});
+    field::writeDelta(
+        path, {.origin = field.origin,
+               .cells = {{{0, 0, 1}, field.patches, field.blades, field.keys}},
+               .storage = {},
+               .seeds = {std::make_shared<const field::SeedCell>(tests::seedCell()), bare}});
     add("seeded.swdelta");
     std::filesystem::remove(path);
 }

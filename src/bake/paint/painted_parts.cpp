@@ -19,13 +19,11 @@ std::vector<StrokeSegment> segmentsOf(const Painting& painting)
         return std::tie(one.stroke, one.from.x, one.from.y, one.from.z, one.along.x, one.along.y,
                         one.along.z);
     };
-    std::sort(all.begin(), all.end(), [&](const StrokeSegment& a, const StrokeSegment& b) {
-        return key(a) < key(b);
-    });
-    all.erase(std::unique(all.begin(), all.end(),
-                          [&](const StrokeSegment& a, const StrokeSegment& b) {
-                              return key(a) == key(b);
-                          }),
+    std::sort(all.begin(), all.end(),
+              [&](const StrokeSegment& a, const StrokeSegment& b) { return key(a) < key(b); });
+    all.erase(std::unique(
+                  all.begin(), all.end(),
+                  [&](const StrokeSegment& a, const StrokeSegment& b) { return key(a) == key(b); }),
               all.end());
     return all;
 }

@@ -17,7 +17,8 @@ struct PaintedPart {
     bool species = false; ///< shares of species
     double highest = 1.0; ///< the largest density that is asked for, at least 1
     double tallest = 1.0; ///< the largest factor on heights, at least 1
-    double finest = std::numeric_limits<double>::infinity(); ///< [m] least radius of those of `look`
+    double finest =
+        std::numeric_limits<double>::infinity(); ///< [m] least radius of those of `look`
 };
 
 /// Finds what strokes may change in boxes on the ground. The answer depends on the box and on the

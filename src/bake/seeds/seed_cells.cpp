@@ -480,10 +480,12 @@ private:
         shared::SeedPiece& piece = sampled.piece;
         const TriangleSequence sequence(of_.settings_.seed, piece.source, part.back != 0);
         const std::uint32_t usual = piece.count;
-        const std::uint32_t all = highest > 1.0 ? entriesOf(of_.ground_, of_.settings_.seed, highest * of_.meadow_.density, part, piece) : usual;
+        const std::uint32_t all = highest > 1.0
+                                      ? entriesOf(of_.ground_, of_.settings_.seed,
+                                                  highest * of_.meadow_.density, part, piece)
+                                      : usual;
         const double rounding = roundingShare(of_.settings_.seed, piece.source, part.back != 0);
-        const double perCandidate =
-            1.0 / (of_.meadow_.density * of_.ground_.area(part.triangle));
+        const double perCandidate = 1.0 / (of_.meadow_.density * of_.ground_.area(part.triangle));
         std::vector<std::uint32_t> bits((std::size_t(all) + 31) / 32);
         std::uint32_t count = usual;
         bool growsAny = false;
@@ -493,8 +495,8 @@ private:
             const RootSample root =
                 points.at(place.x, place.y, candidate | (part.back != 0 ? backSide : 0U));
             if (j < usual ? !of_.sites_.grows(root)
-                          : !of_.sites_.growsMore(
-                                root, (double(candidate) + 1.0 - rounding) * perCandidate))
+                          : !of_.sites_.growsMore(root, (double(candidate) + 1.0 - rounding) *
+                                                            perCandidate))
                 continue;
             bits[j / 32] |= 1U << j % 32;
             count = std::max(count, j + 1);
@@ -582,9 +584,8 @@ field::SeedCell SeedCells::make(std::span<const SeedPlaces::Part> parts,
     } else {
         // One cell is all that there is to do: its few touched parts are dealt to threads.
         std::vector<Builder::Sampled> sampled(parts.size());
-        tbb::parallel_for(std::size_t(0), parts.size(), [&](std::size_t i) {
-            sampled[i] = builder.sample(parts[i].part);
-        });
+        tbb::parallel_for(std::size_t(0), parts.size(),
+                          [&](std::size_t i) { sampled[i] = builder.sample(parts[i].part); });
         for (std::size_t i = 0; i < parts.size(); ++i)
             builder.add(parts[i].part, std::move(sampled[i]));
     }

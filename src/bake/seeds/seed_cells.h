@@ -26,7 +26,7 @@ public:
 
     /// A cell as it was before strokes changed.
     struct Former {
-        const field::SeedCell& cell;                       ///< with pieces
+        const field::SeedCell& cell;                      ///< with pieces
         std::function<bool(const DAabb& part)> isTouched; ///< by strokes that changed, or almost
     };
 

@@ -59,9 +59,9 @@ shared::SeedPiece pieceOf(const terrain::GroundMesh& ground, std::uint64_t seed,
         piece.low = invertLowBits(reversedBits(part.u, part.p), part.p, [&](std::uint32_t x) {
             return shared::sowScramble(x, sequence.x);
         });
-        piece.target =
-            invertLowBits(reversedBits(part.v, part.q), part.q,
-                          [&](std::uint32_t x) { return shared::sowScramble(x, sequence.y); });
+        piece.target = invertLowBits(reversedBits(part.v, part.q), part.q, [&](std::uint32_t x) {
+            return shared::sowScramble(x, sequence.y);
+        });
     }
     piece.count = entriesOf(ground, seed, density, part, piece);
     return piece;
@@ -97,8 +97,7 @@ DAabb boxOfPart(const terrain::GroundMesh& ground, const SeedPart& part)
     const TrianglePoints points(ground, part.triangle);
     const std::array<std::uint32_t, 2> s = rangeOfS(part);
     for (std::uint32_t i = 0; i < 4; ++i)
-        box.add(
-            glm::dvec3(rootOn(part, points, s, double(i & 1U), double(i >> 1U), 0).position));
+        box.add(glm::dvec3(rootOn(part, points, s, double(i & 1U), double(i >> 1U), 0).position));
     return box;
 }
 

@@ -115,8 +115,8 @@ SeedSites::SeedSites(const terrain::GroundMesh& ground, const BakeSettings& sett
 void SeedSites::repaint(const Strokes& strokes)
 {
     filter_.repaint(strokes);
-    painted_ = filter_.painting() != nullptr ? PaintedParts(*filter_.painting(), strokes)
-                                             : PaintedParts();
+    painted_ =
+        filter_.painting() != nullptr ? PaintedParts(*filter_.painting(), strokes) : PaintedParts();
 }
 
 bool SeedSites::isCutOut(std::uint32_t triangle) const
@@ -170,8 +170,7 @@ shared::SeedConditions SeedSites::at(const RootSample& root, const SeedRays& ray
     // A stroke turns blades after a path has.
     const double turned = std::min(std::sqrt(glm::dot(paint.lean, paint.lean)), 1.0);
     const double stiffness = (1.0 - 0.6 * edges.pathLean * trodden) * (1.0 - 0.6 * turned);
-    const glm::dvec3 lean =
-        path.away * (edges.pathLean * trodden * (1.0 - turned)) + paint.lean;
+    const glm::dvec3 lean = path.away * (edges.pathLean * trodden * (1.0 - turned)) + paint.lean;
     const double dried = edges.occluderDryness * foot;
     const glm::vec3 tint = groundColor(ground_, root, baseColors_, colorsAreMask_);
 

@@ -59,8 +59,8 @@ std::span<const T> entriesOfCell(const std::vector<T>& list, const SeedCellNumbe
 template <typename T>
 bool areSame(const std::vector<T>& a, const std::vector<T>& b)
 {
-    return a.size() == b.size() && (a.empty() || std::memcmp(a.data(), b.data(),
-                                                             a.size() * sizeof(T)) == 0);
+    return a.size() == b.size() &&
+           (a.empty() || std::memcmp(a.data(), b.data(), a.size() * sizeof(T)) == 0);
 }
 
 bool areSame(const field::SeedCell& a, const field::SeedCell& b)
@@ -174,9 +174,11 @@ SharedCell SeedEdits::cellAt(const SeedCellNumber& cell) const
 {
     if (const auto found = changed_.find(cell); found != changed_.end())
         return found->second;
-    const auto entry = std::lower_bound(
-        baked_.cells.begin(), baked_.cells.end(), cell,
-        [](const field::SeedEntry& one, const SeedCellNumber& number) { return one.cell < number; });
+    const auto entry =
+        std::lower_bound(baked_.cells.begin(), baked_.cells.end(), cell,
+                         [](const field::SeedEntry& one, const SeedCellNumber& number) {
+                             return one.cell < number;
+                         });
     if (entry != baked_.cells.end() && entry->cell == cell)
         return std::make_shared<const field::SeedCell>(
             field::readSeedCell(field::viewOf(baked_),
@@ -312,9 +314,9 @@ field::Seeds SeedEdits::seeds() const
         while (next < cells.size() && cells[next]->cell < entry.cell)
             addChanged();
         if (!changed_.contains(entry.cell))
-            field::addSeedCell(all, entry,
-                               std::span<const std::byte>(baked_.data)
-                                   .subspan(entry.offset, entry.bytes));
+            field::addSeedCell(
+                all, entry,
+                std::span<const std::byte>(baked_.data).subspan(entry.offset, entry.bytes));
     }
     while (next < cells.size())
         addChanged();

@@ -54,8 +54,8 @@ public:
     Change remake(const Source& source, const std::set<CellNumber>& cells, Progress& progress);
 
     /// The seeds of these cells, in their order; without pieces where nothing grows.
-    std::vector<std::shared_ptr<const field::SeedCell>>
-    cells(std::span<const CellNumber> numbers, const glm::dvec3& origin) const;
+    std::vector<std::shared_ptr<const field::SeedCell>> cells(std::span<const CellNumber> numbers,
+                                                              const glm::dvec3& origin) const;
 
     /// All seeds, as makeSeeds() makes them. A copy.
     field::Seeds seeds() const;

@@ -38,10 +38,10 @@ public:
         std::size_t blades = 0;              ///< in these cells, after the change
     };
 
-    /// Bakes the whole field with the settings' strokes; with seeds if writesSeeds() says so. The ground must outlive the session; the
-    /// settings are copied. `threads` 0: all threads of the machine. `baked`: a field with keys
-    /// whose blades are used instead, if it was baked of this ground with these settings; else a
-    /// warning says why not. Throws as bakeField() does.
+    /// Bakes the whole field with the settings' strokes; with seeds if writesSeeds() says so. The
+    /// ground must outlive the session; the settings are copied. `threads` 0: all threads of the
+    /// machine. `baked`: a field with keys whose blades are used instead, if it was baked of this
+    /// ground with these settings; else a warning says why not. Throws as bakeField() does.
     Session(const terrain::GroundMesh& ground, const BakeSettings& settings, int threads,
             Diagnostics& diagnostics, Progress& progress, const field::FieldView* baked = nullptr);
     Session(Session&&) noexcept; ///< the former one may only be destroyed

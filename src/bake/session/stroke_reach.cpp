@@ -126,7 +126,8 @@ void addCellsReached(const Stroke& stroke, std::span<const Stroke> later, double
     double margin = slackOfStrokes;
     if (changesRoots(stroke.kind)) {
         // Tufts look at their middles, and strokes that smooth at what is around a root.
-        margin += std::max(3.0 * tufts, lookedAround(stroke, later)) + progressiveReach + LocalRanks::reach;
+        margin += std::max(3.0 * tufts, lookedAround(stroke, later)) + progressiveReach +
+                  LocalRanks::reach;
     }
     addCellsWithin(stroke, margin, bearing, reached);
 }

@@ -16,7 +16,8 @@ namespace sward::bake {
 void addCellsReached(const Stroke& stroke, std::span<const Stroke> later, double tufts,
                      const std::set<CellNumber>& bearing, std::set<CellNumber>& reached);
 
-/// The capsules of a stroke in the world, as wide as what it changes: `later` strokes may look at it.
+/// The capsules of a stroke in the world, as wide as what it changes: `later` strokes may look at
+/// it.
 std::vector<StrokeSegment> capsulesReached(const Stroke& stroke, std::span<const Stroke> later);
 
 /// Adds those of the `bearing` cells that a stroke's capsules may touch.

@@ -149,10 +149,10 @@ SeedEntry entryOf(const SeedCell& cell)
 UninitializedVector<std::byte> packSeedCell(const SeedCell& cell, bool isMixed)
 {
     // Where strokes sow species.
-    isMixed = isMixed ||
-              std::any_of(cell.conditions.begin(), cell.conditions.end(), [](const auto& one) {
-                  return (one.share[0] | one.share[1] | one.vigour[0] | one.vigour[1]) != 0;
-              });
+    isMixed =
+        isMixed || std::any_of(cell.conditions.begin(), cell.conditions.end(), [](const auto& one) {
+            return (one.share[0] | one.share[1] | one.vigour[0] | one.vigour[1]) != 0;
+        });
     std::vector<std::uint32_t> words(wordsOf(entryOf(cell), isMixed));
     std::uint32_t* to = words.data();
     to = putWords(cell.vertices, vertexWords, to);
@@ -183,9 +183,8 @@ SeedCell readSeedCell(const SeedsView& seeds, std::size_t index, const std::stri
     const std::string name = fmt::format("{}: seeds of cell ({}, {}, {})", place, entry.cell[0],
                                          entry.cell[1], entry.cell[2]);
     const auto stored = seeds.data.subspan(entry.offset, entry.bytes);
-    const bool isMixed =
-        seeds.meadow->isMixed ||
-        claimedBytes(stored) == wordsOf(entry, true) * sizeof(std::uint32_t);
+    const bool isMixed = seeds.meadow->isMixed ||
+                         claimedBytes(stored) == wordsOf(entry, true) * sizeof(std::uint32_t);
     const std::uint64_t count = wordsOf(entry, isMixed);
     checkClaim(stored, count * sizeof(std::uint32_t), name);
     std::vector<std::uint32_t> words(count);

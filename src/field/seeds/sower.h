@@ -71,7 +71,7 @@ struct CellSurroundings {
     std::vector<shared::SowWave> waves; ///< Sower::wavesAt()
     shared::SowGround ground;           ///< Sower::groundAt()
     NearClumps clumps;
-    std::vector<Box> boxes;    ///< of its pieces
+    std::vector<Box> boxes;   ///< of its pieces
     float heightScale = 1.0f; ///< of its packed blades: the least shared::sowHeightScale()
 };
 

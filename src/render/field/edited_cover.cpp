@@ -106,9 +106,10 @@ PlaceRange EditedCover::apply(const field::Delta& delta, shared::Cover& cover)
     }
     for (std::uint32_t corner = low; corner < end; ++corner) {
         const glm::dvec3 amounts = leaves_[corner];
-        values_[corner] = amounts.x < nothing ? 0
-                                              : field::grassOf(bladesPerStored_ * glm::vec3(amounts),
-                                                               ground_[corner], meanHeight_);
+        values_[corner] = amounts.x < nothing
+                              ? 0
+                              : field::grassOf(bladesPerStored_ * glm::vec3(amounts),
+                                               ground_[corner], meanHeight_);
     }
     if (sum_.leaves > nothing)
         field::colorUndergrowth(glm::vec3(sum_.roots / sum_.leaves),

@@ -62,9 +62,8 @@ void DeviceField::apply(const field::Delta& delta)
         checkDelta(delta, shape.origin);
         const SownDelta sown(delta, storedWidening);
         const PlaceRange corners = cover.apply(sown.delta());
-        sowing->apply(
-            sown.delta(),
-            {.values = cover.values(), .corners = corners, .buffer = &cover.buffer()});
+        sowing->apply(sown.delta(),
+                      {.values = cover.values(), .corners = corners, .buffer = &cover.buffer()});
         for (const field::CellChange& change : delta.cells)
             if (!change.patches.empty()) {
                 shape.content.add(change.patches.front().boundsLow);

@@ -80,9 +80,7 @@ void Sowing::apply(const field::Delta& delta, const StagedEdits::Cover& cover)
 {
     requireUsage(stored_ != nullptr, "the sown field is not editable");
     Edit edit;
-    const auto makesRoom = [&] {
-        return makeRoom(std::numeric_limits<float>::infinity(), edit);
-    };
+    const auto makesRoom = [&] { return makeRoom(std::numeric_limits<float>::infinity(), edit); };
     for (const field::CellChange& change : delta.cells)
         stored_->replace(change, *tables_, edit, makesRoom);
     stored_->retire(*tables_, edit);

@@ -53,11 +53,10 @@ std::unique_ptr<SownTables> StoredCells::tablesFor(const SownTables::Room& sown,
     constexpr std::uint32_t more = 1U << 16U;
     const auto blades = static_cast<std::uint32_t>(field.blades.size());
     const auto patches = static_cast<std::uint32_t>(field.patches.size());
-    const SownTables::Room room{
-        .blades =
-            sown.blades + blades + blades / 4 + patches * shared::nonEmptyPatchStride + more,
-        .patches = sown.patches + patches + patches / 4 + more / 64,
-        .units = sown.units + patches + more / 64};
+    const SownTables::Room room{.blades = sown.blades + blades + blades / 4 +
+                                          patches * shared::nonEmptyPatchStride + more,
+                                .patches = sown.patches + patches + patches / 4 + more / 64,
+                                .units = sown.units + patches + more / 64};
     field::FieldView bare = field;
     bare.patches = {};
     bare.blades = {};

@@ -26,9 +26,8 @@ public:
 
     /// Tables without a stored tree, with room for these cells, and for cells that grow, beside
     /// what is sown.
-    static std::unique_ptr<SownTables> tablesFor(const SownTables::Room& sown,
-                                                 const field::FieldView& field,
-                                                 std::uint32_t walkStart);
+    static std::unique_ptr<SownTables>
+    tablesFor(const SownTables::Room& sown, const field::FieldView& field, std::uint32_t walkStart);
 
     /// Replaces a cell. Blades keep their states by key. `makeRoom` frees places, or returns false.
     /// Throws Error{runtime} if there is no room. The former places are free after retire().

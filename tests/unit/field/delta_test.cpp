@@ -193,7 +193,8 @@ TEST(FieldDelta, DamagedSeedsAreRefused)
     expectNoDelta(changed([](SeedCell& cell) { cell.cell = {1, 2, 4}; }), field, "do not follow");
     expectNoDelta(changed([](SeedCell& cell) { cell.pieces[0].corners[1] = 99; }), field,
                   "seeds of cell (1, 2, 3): piece 0");
-    expectNoDelta(changed([](SeedCell& cell) { cell.pieces[0].records = 99; }), field, "conditions");
+    expectNoDelta(changed([](SeedCell& cell) { cell.pieces[0].records = 99; }), field,
+                  "conditions");
     expectNoDelta(changed([](SeedCell& cell) { cell.vertices[0].x = 1 << 30; }), field, "vertex 0");
     expectNoDelta(changed([](SeedCell& cell) { cell.conditions.clear(); }), field, "conditions");
 }

@@ -15,8 +15,8 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <cstdint>
 #include <cstddef>
+#include <cstdint>
 #include <map>
 #include <vector>
 
@@ -145,8 +145,8 @@ TEST_F(SownEditTest, StoredBladesKeepTheirStates)
     };
     const auto first = tipsOf(before);
     // Drier blades are the same ones.
-    renderer.apply(session.deltaOf(
-        session.apply(strokeOf(bake::StrokeKind::dryness, 1.0), progress).cells));
+    renderer.apply(
+        session.deltaOf(session.apply(strokeOf(bake::StrokeKind::dryness, 1.0), progress).cells));
     picture.draw(renderer, here(), windy, 1.0 + 0.05 * 11);
     const field::Field after = session.field();
     std::size_t kept = 0;

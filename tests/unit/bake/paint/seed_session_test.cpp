@@ -1,4 +1,5 @@
-// A session of a field with seeds: after any change it has the bytes of a bake with the same strokes.
+// A session of a field with seeds: after any change it has the bytes of a bake with the same
+// strokes.
 #include "bake/bake.h"
 #include "bake/seeds/grow_field.h"
 #include "bake/session/session.h"
@@ -48,13 +49,13 @@ std::string differenceOf(const field::Field& a, const field::Field& b)
                (one.empty() ||
                 std::memcmp(one.data(), other.data(), one.size() * sizeof one[0]) == 0);
     };
-    return !equal(a.patches, b.patches)                           ? "patches"
-           : !equal(a.blades, b.blades)                           ? "blades"
-           : !equal(a.keys, b.keys)                               ? "keys"
-           : !equal(a.seeds->seeds.cells, b.seeds->seeds.cells)   ? "cells of seeds"
-           : !equal(a.seeds->seeds.data, b.seeds->seeds.data)     ? "seeds"
-           : a.provenance != b.provenance                         ? "provenance"
-                                                                  : "";
+    return !equal(a.patches, b.patches)                         ? "patches"
+           : !equal(a.blades, b.blades)                         ? "blades"
+           : !equal(a.keys, b.keys)                             ? "keys"
+           : !equal(a.seeds->seeds.cells, b.seeds->seeds.cells) ? "cells of seeds"
+           : !equal(a.seeds->seeds.data, b.seeds->seeds.data)   ? "seeds"
+           : a.provenance != b.provenance                       ? "provenance"
+                                                                : "";
 }
 
 class SeedSession : public ::testing::Test {
@@ -165,7 +166,8 @@ TEST_F(SeedSession, ChangesTheCellsThatAStrokeTouches)
     const terrain::GroundMesh ground = meshes::hills(120.0, 120);
     Session session = sessionOf(ground, seededSettings(4.0));
     Strokes strokes;
-    strokes.list = {tests::hardStroke(StrokeKind::erase, {{10.0, 0.0, 10.0}, {16.0, 0.0, 12.0}}, 1.0)};
+    strokes.list = {
+        tests::hardStroke(StrokeKind::erase, {{10.0, 0.0, 10.0}, {16.0, 0.0, 12.0}}, 1.0)};
     strokes = tests::laidOn(ground, strokes);
     const Session::Change change = session.apply(strokes, progress);
     ASSERT_EQ(change.cells.size(), 1U);
