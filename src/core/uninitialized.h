@@ -1,7 +1,5 @@
 #pragma once
 
-#include <sys/mman.h>
-
 #include <cstddef>
 #include <memory>
 #include <new>
@@ -9,6 +7,13 @@
 #include <vector>
 
 namespace sward {
+
+/// Memory that comes from the system in whole pages, not written to yet; in huge pages where the
+/// system has them. Throws std::bad_alloc.
+void* takePages(std::size_t bytes);
+
+/// Gives it back at once. `bytes` as it was taken.
+void returnPages(void* pages, std::size_t bytes) noexcept;
 
 /// Allocator that leaves new elements uninitialised, where std::allocator would write zeros. The
 /// thread that fills memory then touches it first, and unwritten memory is never touched. Large
@@ -34,12 +39,7 @@ struct UninitializedAllocator : std::allocator<T> {
         const std::size_t bytes = count * sizeof(T);
         if (bytes < large)
             return std::allocator<T>().allocate(count);
-        void* const place =
-            ::mmap(nullptr, bytes, PROT_READ | PROT_WRITE, MAP_PRIVATE | MAP_ANONYMOUS, -1, 0);
-        if (place == MAP_FAILED)
-            throw std::bad_alloc();
-        ::madvise(place, bytes, MADV_HUGEPAGE); // a hint; failure is harmless
-        return static_cast<T*>(place);
+        return static_cast<T*>(takePages(bytes));
     }
 
     void deallocate(T* place, std::size_t count) noexcept
@@ -47,7 +47,7 @@ struct UninitializedAllocator : std::allocator<T> {
         if (count * sizeof(T) < large)
             std::allocator<T>().deallocate(place, count);
         else
-            ::munmap(place, count * sizeof(T));
+            returnPages(place, count * sizeof(T));
     }
 
     template <typename U>

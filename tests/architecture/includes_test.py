@@ -35,7 +35,7 @@ FOLDERS = {
 
 # What each library may include besides itself and the C++ library.
 MAY_USE = {
-    "core": "fmt spdlog nlohmann glm posix",
+    "core": "fmt spdlog nlohmann glm posix windows",
     "shared": "glm",
     "shaders": "shared",
     "terrain": "core fmt glm nlohmann xxhash openmesh embree tinygltf tbb stb png openexr "
@@ -48,7 +48,7 @@ MAY_USE = {
     "render": "core shared shaders field gpu fmt glm vulkan",
     "presentation": "core shared field render fmt glm nlohmann",
     "c": "core shared field gpu render presentation glm vulkan",
-    "apps_common": "core fmt glm nlohmann cli11 posix stb openexr",
+    "apps_common": "core fmt glm nlohmann cli11 stb openexr",
     "sward": "core shared terrain field interchange trace bake apps_common fmt glm nlohmann cli11 posix",
     "sward_view": "core shared shaders field gpu render presentation apps_common fmt glm nlohmann cli11 posix "
                   "vulkan glfw imgui stb",
@@ -76,6 +76,7 @@ THIRD_PARTY = {
     "meshoptimizer": ["meshoptimizer.h"],
     "draco": ["draco/*"],
     "posix": ["sys/*", "unistd.h", "fcntl.h", "spawn.h", "poll.h", "dlfcn.h", "pthread.h"],
+    "windows": ["windows.h", "psapi.h", "shellapi.h", "io.h"],
     "intrinsics": ["*intrin.h"],
 }
 
@@ -91,12 +92,13 @@ ONLY_IN = {
     "draco": ["terrain/gltf/codecs/draco_geometry*"],
     "intrinsics": ["terrain/query/surface_query*"],
     "spdlog": ["src/core/log.cpp"],
+    "windows": ["src/core/*_windows.cpp", "src/core/system/native_windows.h"],
 }
 
 # Folders inside a library, or inside one of its folders. Each may include those before it, and what lies in the folder
 # that holds them all.
 INSIDE = {
-    "core": "math files json",
+    "core": "math system files json",
     "shared": "look sow",
     "field": "file measure seeds",
     "interchange": "usda",
@@ -298,6 +300,10 @@ class PlantedIncludesAreCaught(unittest.TestCase):
             ("src/core/b.h", "#include <nlohmann/json.hpp>", "a header must not pass on"),
             ("src/apps/common/b.h", "  #  include <CLI/CLI.hpp>", "a header must not pass on"),
             ("src/core/a.cpp", "#include <boost/any.hpp>", "belongs to no known library"),
+            ("src/core/a.cpp", "#include <windows.h>", "may see windows"),
+            ("src/core/a.cpp", '#include "core/system/native_windows.h"', "may see windows"),
+            ("src/apps/common/a_windows.cpp", "#include <windows.h>", "apps_common must not see windows"),
+            ("src/apps/common/a.cpp", "#include <unistd.h>", "apps_common must not see posix"),
             ("src/core/a.cpp", '#include "core/missing.h"', "belongs to no known library"),
             ("shaders/shared/b.h", "#include <fmt/core.h>", "shared must not see fmt"),
             ("src/elsewhere/a.cpp", "#include <vector>", "belongs to no library"),
@@ -316,6 +322,7 @@ class PlantedIncludesAreCaught(unittest.TestCase):
             "src/field/field.h", "terrain/mesh.h", "src/render/pass.h", "src/gpu/device/device.h",
             "src/bake/bake.h", "src/render/raster/raster.h", "src/trace/tracer.h",
             "src/presentation/viewpoint.h", "shaders/preview/a.glsl")}
+        house["src/core/system/native_windows.h"] = "#pragma once\n#include <windows.h>\n"
         house["terrain/gltf/codecs/c.h"] = "#pragma once\n"
         house["terrain/gltf/inner.h"] = "#pragma once\n#include <tiny_gltf.h>\n"
         house["terrain/gltf/outer.h"] = '#pragma once\n#include "terrain/gltf/inner.h"\n'

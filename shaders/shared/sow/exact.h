@@ -106,7 +106,7 @@ SHARED_FN uint sowWholeSqrt(uint64_t x)
         root += uint64_t(uint(sowNear(x - square) * perStep));
     else
         root -= min(root - 1ul, uint64_t(uint(sowNear(square - x) * perStep)));
-    root = min(root, 0xfffffffful);
+    root = min(root, uint64_t(0xffffffffu));
     for (int i = 0; i < 64 && root * root > x; ++i)
         root -= 1ul;
     for (int i = 0; i < 64 && x - root * root > root + root; ++i)

@@ -251,7 +251,7 @@ SHARED_FN uint sowSteps(float x, float perOne, uint largest)
 SHARED_FN uint sowPackCoordinate(int x, uint bits)
 {
     const uint64_t inside = uint64_t(uint(x) & ((1u << bits) - 1u));
-    return uint((inside * 65535ul + (1ul << (bits - 1u))) >> bits);
+    return uint((inside * 65535ul + (uint64_t(1u) << (bits - 1u))) >> bits);
 }
 
 /// What a candidate is sown with.

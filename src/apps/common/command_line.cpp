@@ -6,10 +6,13 @@
 #include "apps/common/version.h"
 #include "core/error.h"
 #include "core/json/settings_json.h"
+#include "core/system/arguments.h"
 
 #include <CLI/CLI.hpp>
 
+#include <algorithm>
 #include <sstream>
+#include <utility>
 #include <vector>
 
 namespace sward::apps {
@@ -68,6 +71,8 @@ std::string proposal(const CLI::App& app)
 void prepareApp(CLI::App& app, const std::string& program)
 {
     app.name(program);
+    // A path may begin with a slash, on Windows too.
+    app.allow_windows_style_options(false);
     app.set_version_flag("--version", versionText(program), "Print the version and exit");
     app.set_help_flag("-h,--help", "Print this help and exit");
     useHelpText(app);
@@ -84,8 +89,13 @@ void prepareApp(CLI::App& app, const std::string& program)
 
 std::optional<int> parseCommandLine(CLI::App& app, int argc, const char* const* argv)
 {
+    // CLI11 takes the last one first, without the program's name.
+    std::vector<std::string> arguments = programArguments(argc, argv);
+    if (!arguments.empty())
+        arguments.erase(arguments.begin());
+    std::reverse(arguments.begin(), arguments.end());
     try {
-        app.parse(argc, argv);
+        app.parse(std::move(arguments));
         return std::nullopt;
     } catch (const CLI::Success& wanted) {
         // CLI11 throws help and version as exceptions and prints their texts.

@@ -4,46 +4,36 @@
 #include "core/expect.h"
 #include "core/files/atomic_file.h"
 #include "core/progress.h"
-
-#include <sys/time.h>
-#include <unistd.h>
+#include "core/system/end_requests.h"
 
 #include <atomic>
-#include <csignal>
+#include <chrono>
 
 namespace sward::apps {
 namespace {
 
-// Global, because a signal handler takes no argument.
+// Global, because a listener takes no argument.
 std::atomic<bool> requested = false;
 std::atomic<Progress*> watched = nullptr;
 static_assert(std::atomic<bool>::is_always_lock_free && std::atomic<Progress*>::is_always_lock_free,
               "a signal handler may only touch lock-free atomics");
 
 std::atomic<bool> isBound = false;
-constexpr int ending[] = {SIGINT, SIGTERM, SIGXCPU}; // besides SIGHUP
 
-constexpr suseconds_t patience = 800'000; // [µs]
+constexpr std::chrono::milliseconds patience{800};
 
 // Work has not stopped by itself.
-extern "C" void onTimeout(int)
+void onTimeout() noexcept
 {
     removeTemporaryFiles();
-    constexpr char text[] = "\nerror: interrupted\n";
-    const ssize_t ignored = ::write(STDERR_FILENO, text, sizeof text - 1);
-    static_cast<void>(ignored);
-    ::_exit(static_cast<int>(ErrorKind::interrupted));
+    endAtOnce("\nerror: interrupted\n", static_cast<int>(ErrorKind::interrupted));
 }
 
-extern "C" void onSignal(int number)
+void onEndRequest() noexcept
 {
-    // Restore the default action, so that a second signal ends work that does not poll the flag.
-    std::signal(number, SIG_DFL);
     requested.store(true);
-    if (isBound.load()) {
-        const itimerval timer{{0, 0}, {0, patience}};
-        ::setitimer(ITIMER_REAL, &timer, nullptr);
-    }
+    if (isBound.load())
+        callAfter(patience, onTimeout);
     if (Progress* progress = watched.load())
         progress->cancel();
 }
@@ -52,26 +42,16 @@ extern "C" void onSignal(int number)
 
 InterruptFlag::InterruptFlag()
 {
-    for (const int number : ending)
-        std::signal(number, onSignal);
-    // nohup lets a program outlive its terminal.
-    if (std::signal(SIGHUP, onSignal) == SIG_IGN)
-        std::signal(SIGHUP, SIG_IGN);
-    // A write beyond the limit then fails, and its temporary file goes.
-    std::signal(SIGXFSZ, SIG_IGN);
+    listenToEndRequests(onEndRequest);
 }
 
 InterruptFlag::~InterruptFlag()
 {
-    for (const int number : ending)
-        std::signal(number, SIG_DFL);
-    if (std::signal(SIGHUP, SIG_DFL) == SIG_IGN)
-        std::signal(SIGHUP, SIG_IGN);
+    ignoreEndListener();
 }
 
 void boundInterrupts() noexcept
 {
-    std::signal(SIGALRM, onTimeout);
     isBound.store(true);
 }
 

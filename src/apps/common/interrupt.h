@@ -6,9 +6,9 @@ class Progress;
 
 namespace sward::apps {
 
-/// During its lifetime, SIGINT, SIGTERM, SIGXCPU and SIGHUP (unless it was ignored, as by nohup)
-/// set a flag instead of ending the program; a second one ends it immediately. A file that outgrows
-/// its limit is an error of the write, not a signal. One at a time, made by runProgram().
+/// During its lifetime, a signal that asks the program to end (core/system/end_requests.h: SIGINT,
+/// SIGTERM, SIGXCPU, SIGHUP; Ctrl-C on Windows) sets a flag instead; a second one ends it
+/// immediately. One at a time, made by runProgram().
 class InterruptFlag {
 public:
     InterruptFlag();

@@ -3,6 +3,7 @@
 #include "apps/common/interrupt.h"
 #include "core/error.h"
 #include "core/log.h"
+#include "core/system/standard_streams.h"
 
 #include <cstdio>
 #include <exception>
@@ -42,6 +43,7 @@ int reportException(std::string_view name)
 
 int runProgram(std::string_view name, const std::function<int()>& body) noexcept
 {
+    prepareStandardStreams();
     const InterruptFlag flag;
     try {
         try {

@@ -1,6 +1,5 @@
 #include "apps/common/interrupt.h"
 #include "apps/common/output.h"
-#include "apps/common/peak_memory.h"
 #include "apps/common/terminal/progress_bar.h"
 #include "apps/sward/files/output_files.h"
 #include "apps/sward/options/bake_options.h"
@@ -15,6 +14,7 @@
 #include "core/files/atomic_file.h"
 #include "core/log.h"
 #include "core/stopwatch.h"
+#include "core/system/peak_memory.h"
 #include "terrain/image/gray_png.h"
 
 #include <fmt/ranges.h>

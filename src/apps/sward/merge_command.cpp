@@ -1,5 +1,4 @@
 #include "apps/common/interrupt.h"
-#include "apps/common/peak_memory.h"
 #include "apps/common/terminal/log_switches.h"
 #include "apps/sward/files/output_files.h"
 #include "apps/sward/files/working_folder.h"
@@ -16,6 +15,7 @@
 #include "core/files/atomic_file.h"
 #include "core/log.h"
 #include "core/stopwatch.h"
+#include "core/system/peak_memory.h"
 #include "field/read.h"
 #include "field/write.h"
 

@@ -42,6 +42,7 @@ private:
     std::filesystem::path target_; ///< where links lead
     std::filesystem::path temporary_;
     int fd_ = -1;
+    std::uint64_t end_ = 0; ///< where write() goes on
     bool overwrite_;
     bool committed_ = false;
 };

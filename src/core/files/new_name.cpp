@@ -1,38 +1,24 @@
 #include "core/files/new_name.h"
 
-#include <fcntl.h>
-#include <unistd.h>
-
 #include <cerrno>
-#include <cstdio>
+#include <filesystem>
+#include <system_error>
 
 namespace sward {
 namespace {
 
-int moveWithoutReplacing(const char* from, const char* to)
+void removeFile(const char* path)
 {
-    return ::renameat2(AT_FDCWD, from, AT_FDCWD, to, RENAME_NOREPLACE);
-}
-
-int createNew(const char* path)
-{
-    const int fd = ::open(path, O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
-    return fd < 0 ? -1 : ::close(fd);
-}
-
-int moveReplacing(const char* from, const char* to)
-{
-    return ::rename(from, to);
+    std::error_code ignored;
+    std::filesystem::remove(path, ignored);
 }
 
 } // namespace
 
-const NamingCalls systemCalls{::link, moveWithoutReplacing, createNew, moveReplacing};
-
 int moveToNewName(const char* temporary, const char* path, const NamingCalls& calls)
 {
     if (calls.link(temporary, path) == 0) {
-        ::unlink(temporary);
+        removeFile(temporary);
         return 0;
     }
     if (errno == EEXIST)
@@ -46,7 +32,7 @@ int moveToNewName(const char* temporary, const char* path, const NamingCalls& ca
     if (calls.moveOver(temporary, path) == 0)
         return 0;
     const int reason = errno;
-    ::unlink(path);
+    removeFile(path);
     return reason;
 }
 

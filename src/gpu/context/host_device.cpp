@@ -1,25 +1,25 @@
 #include "gpu/context/host_device.h"
 
 #include "core/error.h"
-#include "core/shared_library.h"
+#include "core/system/shared_library.h"
 #include "gpu/context/queue_families.h"
 
 #include <fmt/format.h>
 
+#include <string>
 #include <vector>
 
 namespace sward::gpu {
 namespace {
 
-constexpr const char* systemLoader = "libvulkan.so.1";
-
 /// That of the system's loader, in which the host's device lives as well.
 PFN_vkGetInstanceProcAddr systemInstanceProcAddr()
 {
-    void* const function = functionOf(systemLoader, "vkGetInstanceProcAddr");
+    const std::string loader = libraryFile("vulkan", 1);
+    void* const function = functionOf(loader.c_str(), "vkGetInstanceProcAddr");
     if (function == nullptr)
         fail(ErrorKind::unsupported, "HostDevice::getInstanceProcAddr is null, and {} gives none",
-             systemLoader);
+             loader);
     return reinterpret_cast<PFN_vkGetInstanceProcAddr>(function);
 }
 

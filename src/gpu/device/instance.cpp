@@ -1,6 +1,7 @@
 #include "gpu/device/instance.h"
 
 #include "core/error.h"
+#include "core/system/shared_library.h"
 #include "gpu/context/check.h"
 
 #include <cstring>
@@ -79,6 +80,12 @@ void destroyMessenger(VkInstance instance, VkDebugUtilsMessengerEXT messenger,
 Instance::Instance(const InstanceSettings& settings)
     : log_(std::make_unique<ValidationLog>())
 {
+    // On Windows the loader is opened at its first call, which would end the program without it.
+    if (const std::string loader = libraryFile("vulkan", 1);
+        functionOf(loader.c_str(), "vkGetInstanceProcAddr") == nullptr)
+        fail(ErrorKind::unsupported,
+             "{} cannot be opened; the graphics card's driver brings Vulkan's loader", loader);
+
     // Require a loader of 1.3 or later: device functions of 1.3 are called through it.
     std::uint32_t version = 0;
     check(vkEnumerateInstanceVersion(&version), "vkEnumerateInstanceVersion");

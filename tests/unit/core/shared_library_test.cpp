@@ -1,4 +1,4 @@
-#include "core/shared_library.h"
+#include "core/system/shared_library.h"
 
 #include <gtest/gtest.h>
 
@@ -13,6 +13,11 @@ TEST(SharedLibrary, GivesAFunctionOrNull)
     EXPECT_EQ(cosine(0.0), 1.0);
     EXPECT_EQ(functionOf("libm.so.6", "no_such_function"), nullptr);
     EXPECT_EQ(functionOf("libno-such-library.so.9", "cos"), nullptr);
+}
+
+TEST(SharedLibrary, HasTheFileNameOfItsVersion)
+{
+    EXPECT_EQ(libraryFile("m", 6), "libm.so.6");
 }
 
 } // namespace

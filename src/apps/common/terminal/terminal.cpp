@@ -1,7 +1,6 @@
 #include "apps/common/terminal/terminal.h"
 
-#include <sys/ioctl.h>
-#include <unistd.h>
+#include "core/system/standard_streams.h"
 
 #include <cstdlib>
 #include <string_view>
@@ -19,7 +18,7 @@ std::string_view environment(const char* name)
 
 bool stderrIsTerminal()
 {
-    return ::isatty(STDERR_FILENO) == 1 && environment("TERM") != "dumb";
+    return stderrIsConsole() && environment("TERM") != "dumb";
 }
 
 bool stderrTakesColor()
@@ -29,10 +28,8 @@ bool stderrTakesColor()
 
 int stderrColumns()
 {
-    winsize size{};
-    if (::ioctl(STDERR_FILENO, TIOCGWINSZ, &size) != 0 || size.ws_col == 0)
-        return 80;
-    return size.ws_col;
+    const int columns = stderrConsoleColumns();
+    return columns > 0 ? columns : 80;
 }
 
 } // namespace sward::apps

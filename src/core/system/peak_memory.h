@@ -2,9 +2,9 @@
 
 #include <cstdint>
 
-namespace sward::apps {
+namespace sward {
 
 /// Largest resident size of the program so far [bytes].
 std::uint64_t peakMemory();
 
-} // namespace sward::apps
+} // namespace sward

@@ -1,8 +1,13 @@
-#include "core/shared_library.h"
+#include "core/system/shared_library.h"
 
 #include <dlfcn.h>
 
 namespace sward {
+
+std::string libraryFile(const std::string& name, int version)
+{
+    return "lib" + name + ".so." + std::to_string(version);
+}
 
 void* functionOf(const char* library, const char* function)
 {

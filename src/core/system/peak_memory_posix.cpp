@@ -1,11 +1,11 @@
-#include "apps/common/peak_memory.h"
+#include "core/system/peak_memory.h"
 
 #include <sys/resource.h>
 
 #include <fstream>
 #include <string>
 
-namespace sward::apps {
+namespace sward {
 
 std::uint64_t peakMemory()
 {
@@ -22,4 +22,4 @@ std::uint64_t peakMemory()
     return static_cast<std::uint64_t>(usage.ru_maxrss) * 1024;
 }
 
-} // namespace sward::apps
+} // namespace sward
