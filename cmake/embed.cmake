@@ -9,6 +9,13 @@ function(sward_embed target namespace)
   set(declarations "")
   set(entries "")
   set(index 0)
+  # The section of constants: in ELF, and in the format of Windows, whose assembler knows no stack of sections.
+  set(begin ".pushsection .rodata")
+  set(end ".popsection")
+  if(WIN32)
+    set(begin ".section .rdata,\\\"dr\\\"")
+    set(end ".text")
+  endif()
   foreach(file IN LISTS ARGN)
     get_filename_component(name ${file} NAME)
     set(symbol sward_embedded_${namespace}_${index})
@@ -21,8 +28,8 @@ function(sward_embed target namespace)
   file(CONFIGURE OUTPUT ${output} @ONLY CONTENT [[// Written by cmake/embed.cmake.
 #include "core/embedded.h"
 
-asm(".pushsection .rodata\n"
-@blobs@    ".popsection\n");
+asm("@begin@\n"
+@blobs@    "@end@\n");
 
 extern "C" {
 @declarations@}

@@ -1,0 +1,47 @@
+# The running half for 64-bit Windows: sward.dll (the C interface, for C and C++ of any compiler) with its import
+# libraries, and sward-view.exe without its window. `scripts/build windows` builds it on Linux; docs/windows.md.
+
+enable_language(C)
+include(compile_options)
+include(windows/dependencies)
+include(libraries)
+include(embed)
+include(shaders)
+# No DLL of the compiler beside ours.
+add_link_options(-static)
+
+add_subdirectory(src/core)
+add_subdirectory(shaders)
+add_subdirectory(src/field)
+add_subdirectory(src/gpu)
+add_subdirectory(src/render)
+add_subdirectory(src/presentation)
+add_subdirectory(src/c)
+
+# What the headers in C declare is exported, and nothing else.
+set(exported "")
+foreach(header field device grass view)
+  set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS ${CMAKE_SOURCE_DIR}/src/c/${header}.h)
+  file(STRINGS src/c/${header}.h lines REGEX "^[a-zA-Z].*[ *]sward_[a-z0-9_]+\\(")
+  foreach(line IN LISTS lines)
+    string(REGEX REPLACE ".*[ *](sward_[a-z0-9_]+)\\(.*" "\\1" name "${line}")
+    string(APPEND exported "    ${name}\n")
+  endforeach()
+endforeach()
+set(definition ${CMAKE_BINARY_DIR}/bin/sward.def)
+file(CONFIGURE OUTPUT ${definition} CONTENT "LIBRARY sward.dll\nEXPORTS\n${exported}")
+add_library(sward_dll SHARED ${definition} $<TARGET_OBJECTS:sward_c_field> $<TARGET_OBJECTS:sward_c>)
+target_link_libraries(sward_dll PRIVATE sward::c)
+set_target_properties(sward_dll PROPERTIES PREFIX "" OUTPUT_NAME sward LINKER_LANGUAGE CXX
+  ARCHIVE_OUTPUT_DIRECTORY ${CMAKE_BINARY_DIR}/bin IMPORT_PREFIX lib)
+# Microsoft's linker looks for sward.lib.
+add_custom_command(TARGET sward_dll POST_BUILD
+  COMMAND ${DLLTOOL} --input-def ${definition} --dllname sward.dll --output-lib ${CMAKE_BINARY_DIR}/bin/sward.lib
+  BYPRODUCTS ${CMAKE_BINARY_DIR}/bin/sward.lib
+  VERBATIM)
+
+add_subdirectory(src/apps/common)
+add_subdirectory(src/apps/sward_view)
+if(SWARD_BUILD_TESTS)
+  add_subdirectory(tests/windows)
+endif()
