@@ -63,7 +63,8 @@ def shared_folder():
 @functools.cache
 def baked(name, *arguments):
     """A field, baked once by the program of Linux: its name in shared_folder()."""
-    subprocess.run([LINUX / "sward", "bake", *arguments, "-o", shared_folder() / name, "-q"], check=True)
+    subprocess.run([LINUX / "sward", "bake", *arguments, "-o", shared_folder() / name, "-q"], check=True,
+                   stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
     return name
 
 
