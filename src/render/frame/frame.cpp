@@ -254,10 +254,8 @@ shared::Frame frameOf(const FieldShape& field, const ViewMatrices& view,
     // Culling.
     frame.view.lodWidth = field.blade.width;
     if (field.sown.room > 0.0 && frame.view.lodThreshold > 0.0f) {
-        const float full =
-            frame.view.lodWidth * view.pixelsPerUnit / frame.view.lodThreshold;
-        const float nearest =
-            shared::boxDistance(view.eye, field.content.low, field.content.high);
+        const float full = frame.view.lodWidth * view.pixelsPerUnit / frame.view.lodThreshold;
+        const float nearest = shared::boxDistance(view.eye, field.content.low, field.content.high);
         frame.view.sparseFrom = sparseDistance(field, full, nearest);
         frame.view.sparseLeast = static_cast<float>(field.sown.stored);
     }

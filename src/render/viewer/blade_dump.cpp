@@ -174,8 +174,7 @@ SownDump readSown(const gpu::DeviceContext& context, const PlacedField& blades,
                   const field::FieldView& field, const shared::Patch& cell)
 {
     const BladePart part{cell.firstBlade, cell.bladeCount};
-    const auto packed =
-        readPart<shared::PackedBlade>(context, blades.blades().blades(), part);
+    const auto packed = readPart<shared::PackedBlade>(context, blades.blades().blades(), part);
     SownDump dump;
     for (const shared::PackedBlade& bits : packed)
         dump.blades.push_back(shared::unpackBlade(bits, cell));

@@ -92,7 +92,8 @@ TEST(Plants, ShareTheirLeafAreaWithARunOfRows)
     const auto areaOf = [&](double share) {
         double area = 0.0;
         for (const shared::Patch& cell : field.patches)
-            forSomeBlades(field.species, cell, field.blades, share, [&](const CoverBlade& blade) { area += double(blade.area); });
+            forSomeBlades(field.species, cell, field.blades, share,
+                          [&](const CoverBlade& blade) { area += double(blade.area); });
         return area;
     };
     const double all = areaOf(1.0);

@@ -51,9 +51,8 @@ std::vector<Candidate> candidatesOf(const field::FieldView& field,
     }
     for (const render::SownPatch& patch : sown)
         add(patch.bounds, {.sown = &patch});
-    std::stable_sort(found.begin(), found.end(), [](const Candidate& a, const Candidate& b) {
-        return a.entered < b.entered;
-    });
+    std::stable_sort(found.begin(), found.end(),
+                     [](const Candidate& a, const Candidate& b) { return a.entered < b.entered; });
     return found;
 }
 
@@ -131,8 +130,7 @@ std::optional<PickedBlade> pickBlade(const render::FieldRenderer& renderer, cons
     std::optional<PickedBlade> picked;
     int read = 0;
     const std::vector<render::SownPatch> sown = renderer.sownPatches();
-    for (const Candidate& candidate :
-         candidatesOf(field, sown, sight, farthest + behindGround)) {
+    for (const Candidate& candidate : candidatesOf(field, sown, sight, farthest + behindGround)) {
         if (candidate.entered > nearest || ++read > patchesAtMost)
             break;
         // A non-resident patch has no records and was not drawn.

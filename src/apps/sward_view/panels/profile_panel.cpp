@@ -78,7 +78,8 @@ void drawProfilePanel(Controls& controls, ViewerState& state)
     controls.fact("Device", state.device, "Device that draws");
     controls.fact("Frame", fmt::format("{:.1f} ms", 1000.0 * state.frameSeconds),
                   "Time per frame, smoothed");
-    controls.fact("Blades", countText(state.counts.total), "Number of blades in the fields; of fields with seeds, all that would grow");
+    controls.fact("Blades", countText(state.counts.total),
+                  "Number of blades in the fields; of fields with seeds, all that would grow");
     if (state.counts.sown > 0)
         controls.fact("Sown", countText(state.counts.sown),
                       "Blades in memory that have been grown from the field's seeds");

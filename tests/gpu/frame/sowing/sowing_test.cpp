@@ -173,8 +173,8 @@ TEST_F(SowingTest, TellsOfSownBladesByTheKeysAndPlacesThatGrow)
         // Places of ribbons are those on bent stalks.
         ASSERT_LT(distanceTo(records[i].id, records[i].root), 1.0) << i;
         drawn += records[i].cullResult == shared::cullResultDrawn ? 1U : 0U;
-        EXPECT_EQ(records[i].lodWidth > 0.0f,
-                  records[i].cullResult == shared::cullResultDrawn) << i;
+        EXPECT_EQ(records[i].lodWidth > 0.0f, records[i].cullResult == shared::cullResultDrawn)
+            << i;
     }
     EXPECT_EQ(drawn, stats.drawn);
 

@@ -28,15 +28,14 @@ constexpr double maxBrighter = 0.005; ///< of the mean luminance
 constexpr double near = 20.0;
 constexpr double maxBrighterNear = 0.015;
 
-constexpr double maxJump = 1.1;       ///< of a block, relative to that of the stored field
+constexpr double maxJump = 1.1; ///< of a block, relative to that of the stored field
 
 constexpr std::uint64_t roomForAll = std::uint64_t(4) << 30;
 
 /// Of test::meshes::hills() [m].
 double heightAt(double x, double z)
 {
-    return 5.0 * std::sin(0.11 * x + 0.3) * std::cos(0.07 * z) +
-           2.0 * std::sin(0.31 * z - 0.1 * x);
+    return 5.0 * std::sin(0.11 * x + 0.3) * std::cos(0.07 * z) + 2.0 * std::sin(0.31 * z - 0.1 * x);
 }
 
 double green(const std::vector<std::byte>& pixels, std::uint32_t x, std::uint32_t y)

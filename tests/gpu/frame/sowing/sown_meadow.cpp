@@ -13,7 +13,8 @@
 
 namespace sward::test {
 
-SownMeadow sownMeadow(double side, std::uint32_t cells, std::optional<double> density, double stored)
+SownMeadow sownMeadow(double side, std::uint32_t cells, std::optional<double> density,
+                      double stored)
 {
     bake::BakeSettings settings;
     settings.meadow = bake::loadMeadow("meadow");

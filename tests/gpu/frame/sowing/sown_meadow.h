@@ -13,8 +13,9 @@ struct SownMeadow {
     field::Field seeded;
 };
 
-/// On meshes::hills(side, cells). `density` [1/m²], or what closes the sward; `stored`: share of the
-/// ranks of `seeded`.
-SownMeadow sownMeadow(double side, std::uint32_t cells, std::optional<double> density, double stored);
+/// On meshes::hills(side, cells). `density` [1/m²], or what closes the sward; `stored`: share of
+/// the ranks of `seeded`.
+SownMeadow sownMeadow(double side, std::uint32_t cells, std::optional<double> density,
+                      double stored);
 
 } // namespace sward::test
