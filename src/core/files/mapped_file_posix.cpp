@@ -1,6 +1,5 @@
-#include "core/files/mapped_file.h"
-
 #include "core/error.h"
+#include "core/files/mapped_file.h"
 
 #include <fcntl.h>
 #include <sys/mman.h>

@@ -1,6 +1,5 @@
-#include "core/files/piece_file.h"
-
 #include "core/error.h"
+#include "core/files/piece_file.h"
 
 #include <fcntl.h>
 #include <unistd.h>

@@ -36,7 +36,8 @@ public:
     Handle& operator=(const Handle&) = delete;
     ~Handle();
 
-    HANDLE get() const { return handle_; }
+    HANDLE get() const { return handle_; } ///< INVALID_HANDLE_VALUE or null if it is not open
+    /// Whether there is something to close.
     bool isOpen() const { return handle_ != INVALID_HANDLE_VALUE && handle_ != nullptr; }
 
 private:
@@ -59,9 +60,10 @@ HANDLE handleOf(int descriptor);
 std::filesystem::path newName(const std::filesystem::path& start,
                               const std::function<bool(const wchar_t*)>& make);
 
+/// A file that createNew() has made.
 struct NewFile {
-    int descriptor = -1; ///< -1 with GetLastError() if none can be made
-    std::filesystem::path path;
+    int descriptor = -1;        ///< -1 with GetLastError() if none can be made
+    std::filesystem::path path; ///< its name
 };
 
 /// Makes a file whose name is new and begins with `start`, for reading and writing. `sharing` and
