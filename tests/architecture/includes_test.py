@@ -105,7 +105,7 @@ INSIDE = {
     "gpu": "context recording memory pipeline device presentation",
     "render": "frame field edits streaming sowing host resident cull resolve raster tessellation preview viewer",
     "bake": "ground mask settings paint filter sample poisson patches blades plan tiles whole seeds session",
-    "shaders": "common blade cull raster resolve tessellation preview bench",
+    "shaders": "common sow blade cull raster resolve tessellation preview bench",
     "terrain": "topology image files heightmap gltf mesh_files procedural query loading",
     "terrain/gltf": "file codecs",
     "apps_common": "terminal picture",

@@ -2,6 +2,7 @@
 
 #include "core/bounds.h"
 #include "core/uninitialized.h"
+#include "field/cells.h"
 #include "field/field.h"
 #include "field/measure/subtree_bounds.h"
 #include "field/seeds/seeds.h"
@@ -9,27 +10,11 @@
 
 #include <array>
 #include <bitset>
-#include <compare>
 #include <cstdint>
 #include <span>
 #include <vector>
 
 namespace sward::field {
-
-/// Side of the finest units in a 32 m cell: 1/16 of that.
-constexpr std::uint32_t finestUnits = 4;
-
-/// What is sown at once: half of the ranks of one level (shared::sowLevel()) in a cube of 32 m /
-/// 2^n, with n three less than the level and at most finestUnits: about as many blades at each
-/// level. The first half are the ranks up to twice the lowest. Level 0 has all in the second.
-struct SowUnit {
-    std::array<std::int32_t, 3> cell{};   ///< 32 m cell, as SeedEntry::cell
-    std::uint32_t level = 0;              ///< of ranks, 0 to SeedMeadow::levels
-    std::uint32_t half = 0;               ///< 0 or 1
-    std::array<std::uint32_t, 3> place{}; ///< of the cube in the cell
-
-    auto operator<=>(const SowUnit&) const = default; ///< some order
-};
 
 /// n of the units of a level.
 std::uint32_t unitLevel(std::uint32_t level);

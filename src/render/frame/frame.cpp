@@ -188,7 +188,7 @@ float sparseDistance(const FieldShape& field, float full, float nearest)
         const double level = field.sown.levels + std::ceil(0.5 * std::log2(std::max(share, 1e-9)));
         return 12.0 * std::exp2(-std::clamp(level - 3.0, 0.0, 4.0));
     };
-    constexpr double mostNearer = 0.3; // where units are wider than what is around the eye
+    constexpr double maxNearer = 0.3; // where units are wider than what is around the eye
     // Units leave gaps between them.
     constexpr double usable = 0.9;
     const double room = usable * field.sown.room;
@@ -218,7 +218,7 @@ float sparseDistance(const FieldShape& field, float full, float nearest)
             };
             const double middle = 0.5 * (inner + outer);
             const double share =
-                shareAt(std::max(middle - std::min(halfUnit(shareAt(middle)), mostNearer * middle), near));
+                shareAt(std::max(middle - std::min(halfUnit(shareAt(middle)), maxNearer * middle), near));
             int exponent = 0;
             std::frexp(share, &exponent);
             if (share > field.sown.stored)

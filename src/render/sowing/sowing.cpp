@@ -40,17 +40,6 @@ constexpr double ownSeconds = 0.5e-3;
 
 } // namespace
 
-double bladesPerArea(const field::SeedMeadow& meadow)
-{
-    double shares = 0.0;
-    double blades = 0.0;
-    for (const shared::SowSpecies& kind : meadow.species) {
-        shares += double(kind.share);
-        blades += double(kind.share) * (1.0 + double(kind.ribbons));
-    }
-    return meadow.density * (shares > 0.0 ? blades / shares : 1.0);
-}
-
 Sowing::Sowing(const gpu::DeviceContext& context, const gpu::ShaderLibrary& shaders,
                const field::FieldView& field, std::unique_ptr<SownTables> tables,
                std::unique_ptr<StoredCells> stored, const Settings& settings)
@@ -449,22 +438,22 @@ std::uint64_t Sowing::residentBlades() const
     return std::uint64_t(tables_->storedBlades()) + tables_->sownBlades();
 }
 
-Sowing::Resident Sowing::residentAt(const field::SowUnit& unit,
+SownTables::Resident Sowing::residentAt(const field::SowUnit& unit,
                                     const SownTables::Place& place) const
 {
     return {unit, tables_->tables().patches.subspan(place.patches.first, place.patches.count)};
 }
 
-std::vector<Sowing::Resident> Sowing::residents() const
+std::vector<SownTables::Resident> Sowing::residents() const
 {
-    std::vector<Resident> found;
+    std::vector<SownTables::Resident> found;
     for (const auto& [unit, present] : present_)
         if (present.place.bladeCount > 0)
             found.push_back(residentAt(unit, present.place));
     return found;
 }
 
-std::optional<Sowing::Resident> Sowing::residentOf(const field::SowUnit& unit) const
+std::optional<SownTables::Resident> Sowing::residentOf(const field::SowUnit& unit) const
 {
     const auto found = present_.find(unit);
     if (found == present_.end() || found->second.place.bladeCount == 0)

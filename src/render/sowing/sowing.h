@@ -14,7 +14,6 @@
 #include "render/sowing/sow_workers.h"
 #include "render/sowing/sown_tables.h"
 #include "render/sowing/stored_cells.h"
-#include "render/sowing/unit_order.h"
 #include "render/streaming/eye_motion.h"
 #include "shaders/shared/eyepoint.h"
 
@@ -61,10 +60,9 @@ public:
                 std::span<const BladeStates* const> states, std::uint32_t settledAt,
                 std::uint32_t slot);
 
-    /// Replaces cells of an edited field (field::Delta), from the next choose() on. Stored blades
-    /// keep their states; what is sown in changed places is drawn as it was until it has grown
-    /// again. Throws Error{usage} unless the stored cells were given, Error{input} for damaged
-    /// seeds, Error{runtime} if there is no room for stored blades.
+    /// Replaces cells of an edited field, from the next choose() on. What is sown in changed places
+    /// is drawn as it was until it has grown again. Throws Error{usage} unless the stored cells were
+    /// given, Error{input} for damaged seeds, Error{runtime} without room for stored blades.
     void apply(const field::Delta& delta, const StagedEdits::Cover& cover);
 
     /// Replaces what bears in cells.
@@ -81,14 +79,9 @@ public:
     std::uint64_t residentBlades() const;
     std::uint64_t allBlades() const { return allBlades_; }
 
-    /// A unit in memory that has blades.
-    struct Resident {
-        field::SowUnit unit;
-        std::span<const shared::Patch> patches; ///< firstBlade is a place in memory
-    };
-    /// All of these, in order; the spans are valid until the next choose().
-    std::vector<Resident> residents() const;
-    std::optional<Resident> residentOf(const field::SowUnit& unit) const; ///< if it is in memory
+    /// All units in memory that have blades, in order; the spans are valid until the next choose().
+    std::vector<SownTables::Resident> residents() const;
+    std::optional<SownTables::Resident> residentOf(const field::SowUnit& unit) const;
 
     /// Grows a unit again, with keys: its blades are in the order of those in memory.
     field::GrownUnit grownAgain(const field::SowUnit& unit);
@@ -124,7 +117,7 @@ private:
     bool makeRoom(float score, Edit& edit);
     void findMissing(std::span<const shared::Eyepoint> views);
     void forgetBare();
-    Resident residentAt(const field::SowUnit& unit, const SownTables::Place& place) const;
+    SownTables::Resident residentAt(const field::SowUnit&, const SownTables::Place&) const;
 
     Settings settings_;
     std::unique_ptr<SownTables> tables_;
@@ -153,8 +146,5 @@ private:
     bool hasAsked_ = false; ///< in the last choice
     bool isSettled_ = false;
 };
-
-/// Blades of a field's seeds, ribbons included; estimated from its meadow.
-double bladesPerArea(const field::SeedMeadow& meadow);
 
 } // namespace sward::render

@@ -11,6 +11,7 @@
 
 #include <cstdint>
 #include <optional>
+#include <span>
 #include <vector>
 
 namespace sward::render {
@@ -46,6 +47,12 @@ public:
         PlaceRange blades; ///< whole strides
         PlaceRange entries;
         std::uint32_t bladeCount = 0; ///< blades of the unit
+    };
+
+    /// A unit that is there, and has blades.
+    struct Resident {
+        field::SowUnit unit;
+        std::span<const shared::Patch> patches; ///< firstBlade is a place of tables()
     };
 
     /// Adds a unit with blades; none if there is no room. `edit` gets the changes of all but the

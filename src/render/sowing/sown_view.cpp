@@ -17,6 +17,17 @@ bool isSown(const field::FieldView& field)
            field.seeds->meadow->stored < 1.0;
 }
 
+double bladesPerArea(const field::SeedMeadow& meadow)
+{
+    double shares = 0.0;
+    double blades = 0.0;
+    for (const shared::SowSpecies& kind : meadow.species) {
+        shares += double(kind.share);
+        blades += double(kind.share) * (1.0 + double(kind.ribbons));
+    }
+    return meadow.density * (shares > 0.0 ? blades / shares : 1.0);
+}
+
 SownView::SownView(const field::FieldView& stored)
     : patches_(stored.patches.begin(), stored.patches.end())
     , view_(stored)

@@ -3,6 +3,7 @@
 #include "field/delta.h"
 #include "field/field.h"
 #include "field/measure/leaf_area.h"
+#include "field/seeds/seeds.h"
 #include "shaders/shared/patch.h"
 
 #include <cstdint>
@@ -45,6 +46,9 @@ private:
     std::vector<std::vector<shared::Patch>> patches_; ///< of each cell
     field::Delta delta_;
 };
+
+/// Blades of a field's seeds [1/m²], ribbons included; estimated from its meadow.
+double bladesPerArea(const field::SeedMeadow& meadow);
 
 /// Whether a field's rest is sown: it has seeds, and stores some of their blades, but not all.
 bool isSown(const field::FieldView& field);

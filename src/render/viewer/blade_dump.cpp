@@ -125,7 +125,7 @@ std::vector<FieldRenderer::BladeRecord> readBlades(const gpu::DeviceContext& con
         }
     }
     if (Sowing* const sowing = blades.sowing(); sowing != nullptr)
-        for (const Sowing::Resident& resident : sowing->residents()) {
+        for (const SownTables::Resident& resident : sowing->residents()) {
             const field::GrownUnit grown = sowing->grownAgain(resident.unit);
             const std::size_t first = records.size();
             records.resize(first + grown.blades.size());

@@ -493,7 +493,7 @@ std::vector<SownPatch> FieldRenderer::sownPatches() const
     std::vector<SownPatch> found;
     if (!isSown())
         return found;
-    for (const Sowing::Resident& resident : parts_->field->sowing->residents())
+    for (const SownTables::Resident& resident : parts_->field->sowing->residents())
         for (std::uint32_t i = 0; i < resident.patches.size(); ++i) {
             SownPatch& patch = found.emplace_back(resident.unit, i);
             patch.bounds.add(resident.patches[i].boundsLow);
@@ -504,7 +504,7 @@ std::vector<SownPatch> FieldRenderer::sownPatches() const
 
 SownDump FieldRenderer::dumpSown(const field::FieldView& field, const SownPatch& patch) const
 {
-    const std::optional<Sowing::Resident> resident =
+    const std::optional<SownTables::Resident> resident =
         isSown() ? parts_->field->sowing->residentOf(patch.unit) : std::nullopt;
     if (!resident || patch.patch >= resident->patches.size())
         return {};

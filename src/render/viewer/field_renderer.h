@@ -7,7 +7,6 @@
 #include "render/frame/frame_settings.h"
 #include "render/frame/frame_stats.h"
 #include "render/viewer/field_renderer_settings.h"
-#include "render/viewer/sown_dump.h"
 
 #include <glm/vec2.hpp>
 #include <vulkan/vulkan.h>

@@ -42,7 +42,7 @@ namespace sward {
 namespace {
 
 constexpr VkFormat colorFormat = VK_FORMAT_R8G8B8A8_SRGB;
-constexpr VkExtent2D extent{192, 108};
+constexpr VkExtent2D extent{1920, 1080};
 constexpr std::uint32_t slots = 2;
 
 struct Options {
