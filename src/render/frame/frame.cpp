@@ -189,11 +189,12 @@ float sparseDistance(const FieldShape& field, float full, float nearest)
         return 12.0 * std::exp2(-std::clamp(level - 3.0, 0.0, 4.0));
     };
     constexpr double maxNearer = 0.3; // where units are wider than what is around the eye
-    // Units leave gaps between them.
+    // Units leave gaps between them, and some are for where eyes will be.
     constexpr double usable = 0.9;
-    const double room = usable * field.sown.room;
+    constexpr double forHere = 0.75;
+    const double room = forHere * field.sown.room;
     const double all = field.sown.blades;
-    if (all > 0.0 && all <= room)
+    if (all > 0.0 && all <= usable * field.sown.room)
         return 0.0f;
     // Shares fall with the distance. So most is drawn where all blades stand in a closed sward as
     // near as the content is.

@@ -212,7 +212,8 @@ bool Sowing::takeResults()
             continue;
         if (!choice_.knows(result.cell))
             choice_.know(result.cell, result.cubes);
-        if (result.order)
+        // A unit may be asked for again while a worker has its order in hand.
+        if (result.order && !isKnown(result.order->unit))
             orders_[result.order->unit] = std::move(*result.order);
         if (!result.unit)
             continue;

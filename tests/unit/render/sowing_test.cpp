@@ -340,8 +340,8 @@ TEST(SowChoice, WantsWhatTheRoomHolds)
                 blades += double(box.size().x) * double(box.size().z) * (end - low) *
                           shape.sown.bladesPerArea;
             }
-            EXPECT_LT(blades, 1.15 * room) << room << ' ' << full;
-            EXPECT_GT(blades, 0.7 * room) << room << ' ' << full;
+            EXPECT_LT(blades, 0.95 * room) << room << ' ' << full;
+            EXPECT_GT(blades, 0.55 * room) << room << ' ' << full;
         }
     }
 }

@@ -109,6 +109,36 @@ TEST_F(SowingTest, APictureDependsOnThePlaceOfTheEyeAlone)
     EXPECT_EQ(test::differingPixels(picture.pixels(), first), 0U);
 }
 
+TEST_F(SowingTest, AFlightEndsAtThePictureOfItsPlace)
+{
+    FieldRenderer whole(device(), field::viewOf(meadow().seeded), rasterised());
+    test::Picture picture(context(), size);
+    picture.draw(whole, there(), settings(), 1.0);
+    const auto expected = picture.pixels();
+    FieldRenderer::Settings wanted = rasterised();
+    wanted.waitsForDisk = false;
+    wanted.sowThreads = 3;
+    wanted.sowsOnDevice = true;
+    FieldRenderer sown(device(), field::viewOf(meadow().seeded), wanted);
+    // Each frame asks anew for what its workers have in hand.
+    for (int i = 0; i < 60; ++i) {
+        const double along = i / 59.0;
+        const auto between = [&](const glm::dvec3& a, const glm::dvec3& b) {
+            return a + along * (b - a);
+        };
+        picture.draw(sown,
+                     lookingFrom(between(here().eye, there().eye),
+                                 between(here().target, there().target)),
+                     settings(), 1.0);
+    }
+    std::size_t differing = 1;
+    for (int i = 0; i < 3000 && differing > 0; ++i) {
+        picture.draw(sown, there(), settings(), 1.0);
+        differing = test::differingPixels(picture.pixels(), expected);
+    }
+    EXPECT_EQ(differing, 0U);
+}
+
 TEST_F(SowingTest, ArrivesUnitByUnitAndEndsAtTheSamePicture)
 {
     FieldRenderer whole(device(), field::viewOf(meadow().seeded), rasterised());
