@@ -114,6 +114,21 @@ class PaintTest(WindowCase):
         self.assertEqual(self.strokes(viewer), 1)
         self.assert_ends_well(viewer)
 
+    def test_a_field_with_seeds_is_painted_where_it_is_sown(self):
+        seeded = self.folder / "seeded.sward"
+        subprocess.run([SWARD, "bake", GROUND, "--density", "400", "--seeds", "always", "--budget", "20000",
+                        *BAKE, "-q", "-o", seeded], check=True)
+        viewer = self.open(seeded, "--ground", GROUND)
+        self.begin(viewer)
+        viewer.wait_frames(20)
+        before = self.picture(viewer)
+        self.erase(viewer)
+        self.wait_for_strokes(viewer, 1)
+        viewer.wait(lambda: share_that_differs(before, self.picture(viewer), 12) > 0.01, "sown blades are gone")
+        viewer.key("ctrl+z")
+        viewer.wait(lambda: share_that_differs(before, self.picture(viewer), 12) < 0.005, "they are back")
+        self.assert_ends_well(viewer)
+
     def test_strokes_are_told_named_and_drawn_straight(self):
         viewer = self.paint()
         self.choose(viewer, "Remove grass")

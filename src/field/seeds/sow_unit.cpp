@@ -116,6 +116,23 @@ bool bears(const UnitCell::Cubes& cubes, const SowUnit& unit)
     return false;
 }
 
+std::vector<SowUnit> unitsOf(const UnitCell& cell, std::uint32_t levels)
+{
+    std::vector<SowUnit> units;
+    SowUnit unit;
+    unit.cell = cell.seeds().cell;
+    for (unit.level = 0; unit.level <= levels; ++unit.level) {
+        const std::uint32_t side = 1U << unitLevel(unit.level);
+        for (unit.place[2] = 0; unit.place[2] < side; ++unit.place[2])
+            for (unit.place[1] = 0; unit.place[1] < side; ++unit.place[1])
+                for (unit.place[0] = 0; unit.place[0] < side; ++unit.place[0])
+                    for (unit.half = unit.level == 0 ? 1 : 0; unit.half < 2; ++unit.half)
+                        if (cell.bears(unit))
+                            units.push_back(unit);
+    }
+    return units;
+}
+
 void addGrown(std::span<const Species> species, std::span<const shared::PackedBlade> blades,
               const shared::Patch& patch, std::vector<GrownBlade>& grown)
 {

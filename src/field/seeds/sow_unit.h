@@ -65,6 +65,9 @@ struct UnitPatches {
     float widest = 0.0f;                ///< [m] full width of the widest blade
 };
 
+/// All units of a cell in which something may bear, by level and place.
+std::vector<SowUnit> unitsOf(const UnitCell& cell, std::uint32_t levels);
+
 /// The blades of a unit.
 struct GrownUnit : UnitPatches {
     UninitializedVector<shared::PackedBlade> blades; ///< patch by patch

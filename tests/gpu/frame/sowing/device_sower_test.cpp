@@ -44,23 +44,6 @@ field::Field seededField(const terrain::GroundMesh& ground, double density, doub
     return bake::bakeField(ground, settings, 1, diagnostics, progress).field;
 }
 
-std::vector<field::SowUnit> unitsOf(const field::UnitCell& cell, std::uint32_t levels)
-{
-    std::vector<field::SowUnit> units;
-    field::SowUnit unit;
-    unit.cell = cell.seeds().cell;
-    for (unit.level = 0; unit.level <= levels; ++unit.level) {
-        const std::uint32_t side = 1U << field::unitLevel(unit.level);
-        for (unit.place[2] = 0; unit.place[2] < side; ++unit.place[2])
-            for (unit.place[1] = 0; unit.place[1] < side; ++unit.place[1])
-                for (unit.place[0] = 0; unit.place[0] < side; ++unit.place[0])
-                    for (unit.half = unit.level == 0 ? 1 : 0; unit.half < 2; ++unit.half)
-                        if (cell.bears(unit))
-                            units.push_back(unit);
-    }
-    return units;
-}
-
 bool isInside(const glm::vec3& low, const glm::vec3& high, const shared::Patch& box)
 {
     return low.x >= box.boundsLow.x && low.y >= box.boundsLow.y && low.z >= box.boundsLow.z &&
@@ -94,7 +77,7 @@ protected:
         for (std::size_t index = 0; index < seeds.cells.size(); ++index) {
             const auto cell = std::make_shared<const field::UnitCell>(
                 field::readSeedCell(seeds, index, "seeds"), sower);
-            for (const field::SowUnit& unit : unitsOf(*cell, seeds.meadow->levels))
+            for (const field::SowUnit& unit : field::unitsOf(*cell, seeds.meadow->levels))
                 orders.push_back(orderOf(sower, index, cell, unit));
         }
         Found found;

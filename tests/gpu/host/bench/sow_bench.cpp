@@ -42,24 +42,6 @@ std::uint32_t numberOf(int count, char** arguments, int index, std::uint32_t oth
     return index < count ? static_cast<std::uint32_t>(std::stoul(arguments[index])) : otherwise;
 }
 
-/// All units of a cell in which something may bear.
-std::vector<field::SowUnit> unitsOf(const field::UnitCell& cell, std::uint32_t levels)
-{
-    std::vector<field::SowUnit> units;
-    field::SowUnit unit;
-    unit.cell = cell.seeds().cell;
-    for (unit.level = 0; unit.level <= levels; ++unit.level) {
-        const std::uint32_t side = 1U << field::unitLevel(unit.level);
-        for (unit.place[2] = 0; unit.place[2] < side; ++unit.place[2])
-            for (unit.place[1] = 0; unit.place[1] < side; ++unit.place[1])
-                for (unit.place[0] = 0; unit.place[0] < side; ++unit.place[0])
-                    for (unit.half = unit.level == 0 ? 1 : 0; unit.half < 2; ++unit.half)
-                        if (cell.bears(unit))
-                            units.push_back(unit);
-    }
-    return units;
-}
-
 void run(int count, char** arguments)
 {
     const gpu::Instance instance;
@@ -90,7 +72,7 @@ void run(int count, char** arguments)
     for (const std::size_t index : near) {
         const auto cell = std::make_shared<const field::UnitCell>(
             field::readSeedCell(seeds, index, "the seeds"), sower);
-        for (const field::SowUnit& unit : unitsOf(*cell, seeds.meadow->levels))
+        for (const field::SowUnit& unit : field::unitsOf(*cell, seeds.meadow->levels))
             orders.push_back(render::orderOf(sower, index, cell, unit));
     }
 
