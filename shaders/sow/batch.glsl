@@ -1,4 +1,7 @@
 // What the passes that grow units have in common.
+#ifndef SWARD_SOW_BATCH_GLSL
+#define SWARD_SOW_BATCH_GLSL
+
 #include "shaders/shared/sow/sow_pass.h"
 
 layout(push_constant, scalar) uniform Push { SowBatchPush push; };
@@ -38,3 +41,5 @@ SeedConditions conditionsAt(SowCell cell, SeedPiece piece, SowPoint point)
     return sowConditions(cell.conditions.at[place.records[0]], cell.conditions.at[place.records[1]],
                          cell.conditions.at[place.records[2]], cell.conditions.at[place.records[3]], place);
 }
+
+#endif

@@ -56,7 +56,7 @@ void findIn(SowRun run, SowBatch batch)
             record.rank = sowRank(record.candidate, rounding, perCandidate);
             const SowPoint point = sowPoint(bearer.sequence, record.candidate);
             const ivec3 place = sowPlace(bearer.a, bearer.b, bearer.c, sowWeights(point));
-            const ivec3 inside = ivec3(place.x - unit.low[0], place.y - unit.low[1], place.z - unit.low[2]);
+            const ivec3 inside = place - unit.low;
             // A negative number has its highest bits set.
             const bool isInside = (uint(inside.x | inside.y | inside.z) >> unit.sideBits) == 0u;
             const uint cellBits = unitBits + 5u - unit.level;

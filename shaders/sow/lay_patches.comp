@@ -181,7 +181,7 @@ void addToPatch(SowBatch batch, SowCell cell, uint start, uint first, uint end, 
     for (uint bit = 0u; bit < 3u; ++bit)
         at |= ((uvec3(cellNumber) >> (3u * bit + uvec3(0u, 1u, 2u))) & 1u) << bit;
     const float side = float(1u << bits) * meadow.metresPerUnit;
-    const vec3 corner = vec3(unit.low[0], unit.low[1], unit.low[2]) * meadow.metresPerUnit + vec3(at) * side;
+    const vec3 corner = vec3(unit.low) * meadow.metresPerUnit + vec3(at) * side;
     vec3 low = vec3(3.0e38f);
     vec3 high = vec3(-3.0e38f);
     ivec3 ups = ivec3(0);

@@ -1,9 +1,6 @@
 // The clump of a candidate: as field::NearClumps.
-
-ivec3 centreOf(SowCentre centre)
-{
-    return ivec3(centre.place[0], centre.place[1], centre.place[2]);
-}
+#ifndef SWARD_SOW_NEAR_CLUMP_GLSL
+#define SWARD_SOW_NEAR_CLUMP_GLSL
 
 uint listOf(ivec3 bucket, uint mask)
 {
@@ -45,7 +42,7 @@ SowClump nearestClump(SowMeadow meadow, SowCell cell, ivec3 place, uint64_t own)
         const ivec3 at = bucket + ivec3(i & 1, (i >> 1) & 1, i >> 2) * beside;
         for (uint c = cell.heads.at[listOf(at, cell.headMask)]; c != noSeedBits;) {
             const SowCentre centre = cell.centres.at[c];
-            const ivec3 offset = place - centreOf(centre);
+            const ivec3 offset = place - centre.place;
             const int64_t squared = int64_t(offset.x) * int64_t(offset.x) + int64_t(offset.y) * int64_t(offset.y) +
                                     int64_t(offset.z) * int64_t(offset.z);
             if (squared < bestSquared || (squared == bestSquared && best != noSeedBits && centre.key < bestKey)) {
@@ -60,7 +57,7 @@ SowClump nearestClump(SowMeadow meadow, SowCell cell, ivec3 place, uint64_t own)
         return clump;
     const SowCentre centre = cell.centres.at[best];
     clump.key = centre.key;
-    clump.offset = place - centreOf(centre);
+    clump.offset = place - centre.place;
     clump.isAny = 1u;
     const SeedPiece piece = cell.pieces.at[centre.piece];
     vec3 first;
@@ -77,7 +74,9 @@ SowClump nearestClump(SowMeadow meadow, SowCell cell, ivec3 place, uint64_t own)
         seed.piece = centre.piece;
         seed.number = 0u;
         seed.moisture = centre.moisture;
-        clump.wide = sowClumpTraits(meadow, seed, centreOf(centre), first, second, cell.ground, cell.waves);
+        clump.wide = sowClumpTraits(meadow, seed, centre.place, first, second, cell.ground, cell.waves);
     }
     return clump;
 }
+
+#endif

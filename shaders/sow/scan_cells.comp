@@ -7,7 +7,7 @@
 
 layout(local_size_x = sowScanThreads) in;
 
-const uint cellsOfThread = sowCells / sowScanThreads;
+const int cellsOfThread = int(sowCells / sowScanThreads); // two
 
 shared uint sums[sowScanThreads];
 shared uint growing;
@@ -18,10 +18,10 @@ void main()
 {
     SowBatch batch = push.batch.at[0];
     const uint thread = gl_LocalInvocationID.x;
-    const uint first = sowCells * gl_WorkGroupID.x + cellsOfThread * thread;
+    const uint first = sowCells * gl_WorkGroupID.x + uint(cellsOfThread) * thread;
     uint own = 0u;
-    for (uint i = 0u; i < cellsOfThread; ++i)
-        own += batch.cells.at[first + i];
+    for (int i = 0; i < cellsOfThread; ++i)
+        own += batch.cells.at[first + uint(i)];
     sums[thread] = own;
     if (thread == 0u)
         growing = 0u;
@@ -32,9 +32,9 @@ void main()
         sums[thread] += before;
         barrier();
     }
-    uint place[cellsOfThread];
-    for (uint i = 0u; i < cellsOfThread; ++i)
-        if (batch.cells.at[first + i] > 0u)
+    uvec2 place = uvec2(0u);
+    for (int i = 0; i < cellsOfThread; ++i)
+        if (batch.cells.at[first + uint(i)] > 0u)
             place[i] = atomicAdd(growing, 1u);
     barrier();
     // Units come in any order.
@@ -44,12 +44,12 @@ void main()
     }
     barrier();
     uint next = firstRecord + sums[thread] - own;
-    for (uint i = 0u; i < cellsOfThread; ++i) {
-        const uint here = batch.cells.at[first + i];
-        batch.ends.at[first + i] = next;
+    for (int i = 0; i < cellsOfThread; ++i) {
+        const uint here = batch.cells.at[first + uint(i)];
+        batch.ends.at[first + uint(i)] = next;
         next += here;
         if (here > 0u)
-            batch.growing.at[firstGrowing + place[i]] = first + i;
+            batch.growing.at[firstGrowing + place[i]] = first + uint(i);
     }
     if (gl_WorkGroupID.x == 0u && thread == 0u) {
         const uint records = min(batch.counts.at[0].records, batch.maxRecords);

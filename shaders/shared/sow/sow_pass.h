@@ -8,7 +8,7 @@ SHARED_BEGIN
 
 /// A clump of a cell, in a list of those whose places have the same hash.
 struct SowCentre {
-    int place[3]; ///< units
+    ivec3 place; ///< units
     uint next;    ///< the next one of its list; noSeedBits: none
     uint64_t key;
     uint piece;   ///< as SeedClump::piece
@@ -53,7 +53,7 @@ SHARED_BUFFER(SowCellArray, SowCell, readonly)
 /// A unit to grow: ranks from `from` to below `share` in a cube of its cell.
 struct SowOrder {
     SowCellArray cell; ///< one
-    int low[3];        ///< of the cube [units from the cell's corner]
+    ivec3 low;         ///< of the cube [units from the cell's corner]
     uint sideBits;     ///< side of the cube: 2^sideBits units
     uint level;        ///< of its blades, see sowLevel()
     float from;

@@ -108,7 +108,7 @@ std::vector<shared::SowCentre> NearClumps::centres() const
     result.reserve(centres_.size());
     for (const Centre& centre : centres_) {
         const shared::SeedClump& clump = cell_.clumps[centre.clump];
-        result.push_back({.place = {centre.place.x, centre.place.y, centre.place.z},
+        result.push_back({.place = centre.place,
                           .next = centre.next,
                           .key = centre.key,
                           .piece = clump.piece,

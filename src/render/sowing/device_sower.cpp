@@ -345,7 +345,8 @@ DeviceSower::Added DeviceSower::add(const UnitOrder& order)
     shared::SowOrder own = {};
     own.cell = use.address;
     for (std::size_t axis = 0; axis < 3; ++axis)
-        own.low[axis] = static_cast<std::int32_t>(order.unit.place[axis] << sideBits);
+        own.low[glm::length_t(axis)] =
+            static_cast<std::int32_t>(order.unit.place[axis] << sideBits);
     own.sideBits = sideBits;
     own.level = order.unit.level;
     own.from = order.from;
