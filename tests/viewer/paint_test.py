@@ -116,7 +116,7 @@ class PaintTest(WindowCase):
 
     def test_a_field_with_seeds_is_painted_where_it_is_sown(self):
         seeded = self.folder / "seeded.sward"
-        subprocess.run([SWARD, "bake", GROUND, "--density", "400", "--seeds", "always", "--budget", "20000",
+        subprocess.run([SWARD, "bake", GROUND, "--seeds", "always", "--budget", "20000",
                         *BAKE, "-q", "-o", seeded], check=True)
         viewer = self.open(seeded, "--ground", GROUND)
         self.begin(viewer)
