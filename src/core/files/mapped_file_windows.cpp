@@ -5,7 +5,6 @@
 #include <mutex>
 #include <set>
 #include <tuple>
-#include <utility>
 
 namespace sward {
 namespace {
@@ -77,19 +76,6 @@ MappedFile::MappedFile(const std::filesystem::path& path)
         fail(ErrorKind::io, "{}: cannot map {} bytes: {}", path.string(), size_,
              native::lastReason());
     data_ = static_cast<const std::byte*>(mapped);
-}
-
-MappedFile::MappedFile(MappedFile&& other) noexcept
-    : data_(std::exchange(other.data_, nullptr))
-    , size_(std::exchange(other.size_, 0))
-{
-}
-
-MappedFile& MappedFile::operator=(MappedFile&& other) noexcept
-{
-    std::swap(data_, other.data_);
-    std::swap(size_, other.size_);
-    return *this;
 }
 
 MappedFile::~MappedFile()

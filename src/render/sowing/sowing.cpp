@@ -73,11 +73,17 @@ void Sowing::apply(const field::Delta& delta, const StagedEdits::Cover& cover)
     for (const field::CellChange& change : delta.cells)
         stored_->replace(change, *tables_, edit, makesRoom);
     stored_->retire(*tables_, edit);
+    stage(edit, cover);
+    replace(delta.seeds);
+}
+
+/// Has the next frame record changes of the tables.
+void Sowing::stage(Edit& edit, const StagedEdits::Cover& cover)
+{
     edit.patches = united(std::move(edit.patches));
     edit.entries = united(std::move(edit.entries));
     edit.firstEntries = united(std::move(edit.firstEntries));
     staged_.add(edit, tables_->tables(), cover);
-    replace(delta.seeds);
 }
 
 void Sowing::replace(std::span<const std::shared_ptr<const field::SeedCell>> cells)
@@ -150,8 +156,7 @@ void Sowing::choose(std::span<shared::Eyepoint> seen, std::uint32_t slot)
     if (threshold > 0.0f)
         setThreshold(seen, threshold * thinning_);
     const bool isEnough = device_ && !hasAsked_ && orders_.empty() && growing_.empty();
-    isSettled_ =
-        copied_ == 0 && (missing_ == 0 || isFull_ || isEnough) && thinning_ == wanted;
+    isSettled_ = copied_ == 0 && (missing_ == 0 || isFull_ || isEnough) && thinning_ == wanted;
 }
 
 /// Whether an eye has moved so far since the last choice that it may want other units.
@@ -180,10 +185,7 @@ void Sowing::bring(std::size_t views)
     dropStale(edit);
     takeIn(edit);
     if (!edit.patches.empty()) {
-        edit.patches = united(std::move(edit.patches));
-        edit.entries = united(std::move(edit.entries));
-        edit.firstEntries = united(std::move(edit.firstEntries));
-        staged_.add(edit, tables_->tables());
+        stage(edit, {});
         std::erase_if(ready_, [&](const auto& one) { return isThere(one.first); });
     }
     ask();
@@ -495,6 +497,11 @@ StreamingStats Sowing::stats() const
             .copiedBytes = copied_,
             .thinning = std::max(thinning_, 1.0f),
             .isSettled = isSettled_};
+}
+
+VkDeviceSize Sowing::bytes() const
+{
+    return staged_.bytes() + (device_ ? device_->bytes() : 0);
 }
 
 } // namespace sward::render

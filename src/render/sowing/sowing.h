@@ -92,8 +92,7 @@ public:
     /// Units in place of pages.
     StreamingStats stats() const;
 
-    /// Bytes of mapped memory, and of the device's to sow with.
-    VkDeviceSize bytes() const { return staged_.bytes() + (device_ ? device_->bytes() : 0); }
+    VkDeviceSize bytes() const; ///< of mapped memory, and of the device's to sow with
 
 private:
     struct Present {
@@ -102,6 +101,7 @@ private:
         bool isStale = false; ///< its cell has been replaced, and it has changed
     };
     bool isThere(const field::SowUnit& unit) const; ///< and not stale
+    void stage(Edit& edit, const StagedEdits::Cover& cover);
     void dropStale(Edit& edit);
     bool takeResults();
     bool takeBatch(std::uint32_t slot);

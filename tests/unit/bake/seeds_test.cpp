@@ -49,17 +49,6 @@ field::Field grownOf(const field::Field& seeded, const field::SowRegion& region 
     return grown;
 }
 
-BakeSettings meadowSettings(double density)
-{
-    BakeSettings settings;
-    settings.meadow = loadMeadow("meadow");
-    settings.density = density;
-    settings.exposureRays = 0;
-    settings.bladeScale = 1.0;
-    settings.seed = 5;
-    return settings;
-}
-
 // Keys and packed bytes of every blade.
 using BladeBytes = std::tuple<std::uint32_t, std::uint32_t, std::array<std::uint32_t, 4>>;
 
@@ -146,8 +135,8 @@ void expectPlainBlades(const terrain::GroundMesh& ground, const BakeSettings& se
 
 TEST(Seeds, GrowTheBladesOfAPlainBake)
 {
-    expectPlainBlades(meshes::hills(70.0, 70), meadowSettings(20.0));
-    BakeSettings settings = meadowSettings(300.0);
+    expectPlainBlades(meshes::hills(70.0, 70), tests::meadowSettings(20.0));
+    BakeSettings settings = tests::meadowSettings(300.0);
     settings.groundUp = parseGroundUp("radial");
     settings.align = parseAlignment("blend:0.4");
     settings.sides = Sides::both;
@@ -156,15 +145,15 @@ TEST(Seeds, GrowTheBladesOfAPlainBake)
 
 TEST(Seeds, GrowTheBladesOfHugeAndOfTinyTriangles)
 {
-    expectPlainBlades(meshes::square(150.0), meadowSettings(2.0));
-    expectPlainBlades(meshes::hills(2.0, 400), meadowSettings(2000.0));
+    expectPlainBlades(meshes::square(150.0), tests::meadowSettings(2.0));
+    expectPlainBlades(meshes::hills(2.0, 400), tests::meadowSettings(2000.0));
     expectPlainBlades(meshes::moved(meshes::hills(70.0, 40), {1e5, -3e4, 7e5}),
-                      meadowSettings(20.0));
+                      tests::meadowSettings(20.0));
 }
 
 TEST(Seeds, GrowSharedDirectionsAndSmallBlades)
 {
-    BakeSettings settings = meadowSettings(40'000.0);
+    BakeSettings settings = tests::meadowSettings(40'000.0);
     settings.bladeScale = 0.05;
     for (SpeciesTraits& species : settings.meadow.species)
         species.facing = Facing::shared;
@@ -173,7 +162,7 @@ TEST(Seeds, GrowSharedDirectionsAndSmallBlades)
 
 TEST(Seeds, GrowOverConvexEdges)
 {
-    BakeSettings settings = meadowSettings(2500.0);
+    BakeSettings settings = tests::meadowSettings(2500.0);
     settings.sides = Sides::both;
     expectPlainBlades(meshes::cube(2.0), settings, otherTonesOfWalls);
     settings.groundUp = parseGroundUp("radial");
@@ -182,17 +171,17 @@ TEST(Seeds, GrowOverConvexEdges)
     expectPlainBlades(meshes::moved(meshes::cube(2.0), {40.0, 31.0, 33.0}), settings,
                       otherTonesOfWalls);
     // Faces wider than the parts of triangles, and than cells.
-    expectPlainBlades(meshes::cube(70.0), meadowSettings(1.0), otherTonesOfWalls);
+    expectPlainBlades(meshes::cube(70.0), tests::meadowSettings(1.0), otherTonesOfWalls);
 }
 
 TEST(Seeds, SameSeedsGrowTheSameBytesOnAnyThreads)
 {
     const field::Field seeded =
-        bakeOf(meshes::hills(70.0, 40), meadowSettings(8.0), SeedUse::always);
+        bakeOf(meshes::hills(70.0, 40), tests::meadowSettings(8.0), SeedUse::always);
     const field::Field once = grownOf(seeded, {}, 1);
     EXPECT_TRUE(isSame(once, grownOf(seeded, {}, 4)));
     const field::Field again =
-        bakeOf(meshes::hills(70.0, 40), meadowSettings(8.0), SeedUse::always);
+        bakeOf(meshes::hills(70.0, 40), tests::meadowSettings(8.0), SeedUse::always);
     EXPECT_TRUE(std::equal(seeded.seeds->seeds.data.begin(), seeded.seeds->seeds.data.end(),
                            again.seeds->seeds.data.begin(), again.seeds->seeds.data.end()));
 }
@@ -200,7 +189,7 @@ TEST(Seeds, SameSeedsGrowTheSameBytesOnAnyThreads)
 TEST(Seeds, RegionsShareOutTheBlades)
 {
     const field::Field seeded =
-        bakeOf(meshes::hills(70.0, 40), meadowSettings(8.0), SeedUse::always);
+        bakeOf(meshes::hills(70.0, 40), tests::meadowSettings(8.0), SeedUse::always);
     const std::vector<BladeBytes> whole = bladesOf(grownOf(seeded));
     std::vector<BladeBytes> parts;
     for (const auto& [lowX, highX] : {std::pair{-1e9, -3.3}, {-3.3, 20.0}, {20.0, 1e9}})
@@ -233,7 +222,7 @@ TEST(Seeds, RegionsShareOutTheBlades)
 TEST(Seeds, UnitsShareOutTheBladesWithinTheirBounds)
 {
     const field::Field seeded =
-        bakeOf(meshes::hills(40.0, 16), meadowSettings(180.0), SeedUse::always);
+        bakeOf(meshes::hills(40.0, 16), tests::meadowSettings(180.0), SeedUse::always);
     const field::SeedsView& seeds = seeded.seeds->view;
     const field::Sower sower(*seeds.meadow, seeded.species, seeded.origin);
     const std::uint32_t levels = seeds.meadow->levels;
@@ -293,7 +282,7 @@ TEST(Seeds, UnitsShareOutTheBladesWithinTheirBounds)
 TEST(Seeds, UnitsOfACellGrowInSeveralThreads)
 {
     const field::Field seeded =
-        bakeOf(meshes::hills(30.0, 16), meadowSettings(60.0), SeedUse::always);
+        bakeOf(meshes::hills(30.0, 16), tests::meadowSettings(60.0), SeedUse::always);
     const field::SeedsView& seeds = seeded.seeds->view;
     const field::Sower sower(*seeds.meadow, seeded.species, seeded.origin);
     const field::SowUnit unit{.cell = seeds.cells[0].cell, .level = 3};
@@ -323,14 +312,14 @@ TEST(Seeds, UnitsOfACellGrowInSeveralThreads)
 TEST(Seeds, AShareIsTheUniformBakeOfThatDensity)
 {
     const terrain::GroundMesh ground = meshes::hills(40.0, 20);
-    const field::Field seeded = bakeOf(ground, meadowSettings(40.0), SeedUse::always);
+    const field::Field seeded = bakeOf(ground, tests::meadowSettings(40.0), SeedUse::always);
     field::SowRegion quarter;
     quarter.share = 0.25f;
     const std::set<std::uint64_t> found = keysOf(grownOf(seeded, quarter));
     const std::set<std::uint64_t> all = keysOf(grownOf(seeded));
     EXPECT_TRUE(std::includes(all.begin(), all.end(), found.begin(), found.end()));
     std::set<std::uint64_t> stalks;
-    for (const std::uint64_t key : keysOf(bakeOf(ground, meadowSettings(10.0))))
+    for (const std::uint64_t key : keysOf(bakeOf(ground, tests::meadowSettings(10.0))))
         stalks.insert(key);
     std::vector<std::uint64_t> differ;
     std::set_symmetric_difference(found.begin(), found.end(), stalks.begin(), stalks.end(),
@@ -341,7 +330,7 @@ TEST(Seeds, AShareIsTheUniformBakeOfThatDensity)
 
 TEST(Seeds, StoredBladesAreTheFirstOfThem)
 {
-    BakeSettings settings = meadowSettings(100.0);
+    BakeSettings settings = tests::meadowSettings(100.0);
     settings.budget = 3000;
     const field::Field seeded = bakeOf(meshes::hills(30.0, 30), settings, SeedUse::always);
     EXPECT_LE(double(seeded.blades.size()), 3150.0) << "but for chance";
@@ -360,7 +349,7 @@ TEST(Seeds, StoredBladesAreTheFirstOfThem)
 
 TEST(Seeds, SlopesKeepTheirShare)
 {
-    BakeSettings settings = meadowSettings(120.0);
+    BakeSettings settings = tests::meadowSettings(120.0);
     settings.slope = {0.0, 6.0, 12.0};
     const terrain::GroundMesh ground = meshes::hills(32.0, 32);
     const std::set<std::uint64_t> plain = keysOf(bakeOf(ground, settings));
@@ -379,7 +368,7 @@ TEST(Seeds, SlopesKeepTheirShare)
 TEST(Seeds, NothingGrowsWhereAFilterForbidsIt)
 {
     // A hard edge across triangles of 2 m: asked candidate by candidate.
-    BakeSettings settings = meadowSettings(50.0);
+    BakeSettings settings = tests::meadowSettings(50.0);
     settings.altitude = {-1e9, 0.3, 0.0};
     const terrain::GroundMesh ground = meshes::hills(60.0, 30);
     EXPECT_EQ(keysOf(grownOf(bakeOf(ground, settings, SeedUse::always))),
@@ -388,7 +377,7 @@ TEST(Seeds, NothingGrowsWhereAFilterForbidsIt)
 
 TEST(Seeds, SkyAndFeetComeFromRays)
 {
-    BakeSettings settings = meadowSettings(400.0);
+    BakeSettings settings = tests::meadowSettings(400.0);
     settings.exposureRays = 64;
     const terrain::GroundMesh ground = meshes::boxAbovePlane();
     const field::Field plain = bakeOf(ground, settings);
@@ -407,7 +396,7 @@ TEST(Seeds, SkyAndFeetComeFromRays)
 TEST(Seeds, HollowsAreAsMoistAsInAPlainBake)
 {
     const terrain::GroundMesh ground = meshes::hills(70.0, 70);
-    BakeSettings settings = meadowSettings(5.0);
+    BakeSettings settings = tests::meadowSettings(5.0);
     const field::Field level = bakeOf(ground, settings);
     settings.exposureRays = 32;
     const field::Field plain = bakeOf(ground, settings);
@@ -441,14 +430,14 @@ TEST(Seeds, WhatCannotBeSownIsRefused)
         }
         return false;
     };
-    BakeSettings settings = meadowSettings(10.0);
+    BakeSettings settings = tests::meadowSettings(10.0);
     settings.spread = Spread::poisson;
     EXPECT_TRUE(refused(settings));
-    settings = meadowSettings(10.0);
+    settings = tests::meadowSettings(10.0);
     settings.density.reset();
     settings.count = 10;
     EXPECT_TRUE(refused(settings));
-    settings = meadowSettings(10.0);
+    settings = tests::meadowSettings(10.0);
     settings.meadow = loadMeadow("prairie");
     EXPECT_TRUE(refused(settings));
     // Where nothing compels them, there are none.
@@ -459,7 +448,7 @@ TEST(Seeds, AreWrittenWhereTheClosedSwardExceedsEveryBudget)
 {
     // 3600 blades a square metre.
     const terrain::GroundMesh large = meshes::square(150.0);
-    BakeSettings settings = meadowSettings(1.0);
+    BakeSettings settings = tests::meadowSettings(1.0);
     settings.seeds = SeedUse::automatic;
     EXPECT_FALSE(writesSeeds(large, settings)) << "somebody chose a density";
     settings.density.reset();

@@ -125,6 +125,38 @@ TEST_F(SownEditTest, SowsWhatTheEditedFieldSows)
     EXPECT_GT(likenessTo(first).psnr, 45.0);
 }
 
+// Strokes come while a device still grows units of the cells that they change.
+TEST_F(SownEditTest, ADeviceGrowsAnewWhatStrokesChange)
+{
+    bake::Session session(ground, sownSettings(), 2, diagnostics, progress);
+    const field::Field before = session.field();
+    FieldRenderer waiting(device(), field::viewOf(before), rasterised());
+    FieldRenderer::Settings shaders = rasterised();
+    shaders.waitsForDisk = false;
+    shaders.sowsOnDevice = true;
+    shaders.sowThreads = 2;
+    FieldRenderer sown(device(), field::viewOf(before), shaders);
+    test::Picture picture(context(), pictureSize);
+    for (int i = 0; i < 3; ++i)
+        picture.draw(sown, here(), calm(before), 1.0);
+    for (const bake::Strokes& strokes :
+         {strokeOf(bake::StrokeKind::erase, 1.0), strokeOf(bake::StrokeKind::height, 2.0),
+          strokeOf(bake::StrokeKind::set, 3.0)}) {
+        const field::Delta delta = session.deltaOf(session.apply(strokes, progress).cells);
+        waiting.apply(delta);
+        sown.apply(delta);
+        picture.draw(waiting, here(), calm(before), 1.0);
+        const auto expected = picture.pixels();
+        std::size_t differing = 1;
+        for (int i = 0; i < 2000 && differing > 0; ++i) {
+            picture.draw(sown, here(), calm(before), 1.0);
+            differing = test::differingPixels(picture.pixels(), expected);
+        }
+        EXPECT_EQ(differing, 0U);
+        EXPECT_EQ(sown.stats().resident, waiting.stats().resident);
+    }
+}
+
 TEST_F(SownEditTest, StoredBladesKeepTheirStates)
 {
     bake::Session session(ground, sownSettings(), 2, diagnostics, progress);

@@ -44,20 +44,9 @@ field::Field grownWith(const terrain::GroundMesh& ground, const BakeSettings& se
     return grown;
 }
 
-BakeSettings strokesOnMeadow(double density)
-{
-    BakeSettings settings;
-    settings.meadow = loadMeadow("meadow");
-    settings.density = density;
-    settings.exposureRays = 0;
-    settings.bladeScale = 1.0;
-    settings.seed = 5;
-    return settings;
-}
-
 BakeSettings paintedSettings(double density, const terrain::GroundMesh& ground, Strokes strokes)
 {
-    BakeSettings settings = strokesOnMeadow(density);
+    BakeSettings settings = tests::meadowSettings(density);
     const bool isLevel = ground.triangles.size() == 2;
     settings.strokes = isLevel ? std::move(strokes) : tests::laidOn(ground, std::move(strokes));
     for (Stroke& stroke : settings.strokes.list)
