@@ -43,6 +43,8 @@ function(sward_install_component name)
 endfunction()
 sward_install_component(Field sward_core sward_shared sward_field sward_c_field)
 sward_install_component(Bake sward_assets sward_terrain sward_stb sward_bake)
+# The C interface for programs that open libraries: libsward.so.
+install(TARGETS sward_library LIBRARY DESTINATION ${CMAKE_INSTALL_LIBDIR} COMPONENT development)
 sward_install_component(Render sward_gpu sward_render sward_presentation sward_c)
 
 # Headers: the doors that docs/engine.md and the examples name, and whatever they include.

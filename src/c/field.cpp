@@ -3,6 +3,7 @@
 #include "c/field_handle.h"
 #include "c/guard.h"
 #include "c/messages.h"
+#include "field/measure/blade_rotation.h"
 
 #include <algorithm>
 #include <string>
@@ -123,6 +124,18 @@ sward_status sward_field_read_blades(const sward_field* field, uint64_t first, u
             }
         }
     });
+}
+
+void sward_blade_rotation(const sward_blade* blade, float rotation[4])
+{
+    if (blade == nullptr || rotation == nullptr)
+        return;
+    const glm::quat turn =
+        field::bladeRotation({blade->up[0], blade->up[1], blade->up[2]}, blade->facing);
+    rotation[0] = turn.x;
+    rotation[1] = turn.y;
+    rotation[2] = turn.z;
+    rotation[3] = turn.w;
 }
 
 const char* sward_field_species_name(const sward_field* field, uint32_t species)

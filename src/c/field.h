@@ -68,6 +68,11 @@ sward_status sward_field_get_info(const sward_field* field, sward_field_info* in
 sward_status sward_field_read_blades(const sward_field* field, uint64_t first, uint64_t count,
                                      sward_blade* blades);
 
+/* How a mesh of a blade stands as `blade`, for instances of any engine: a unit quaternion x, y, z,
+ * w that turns +Y to the up-vector and +Z to the side to which the blade leans. The mesh is 1 high
+ * and 1 wide; its scale is (width, height, height). Does nothing if a pointer is null. */
+void sward_blade_rotation(const sward_blade* blade, float rotation[4]);
+
 /* Name of a species, valid as long as the field; null beyond species_count. */
 const char* sward_field_species_name(const sward_field* field, uint32_t species);
 

@@ -113,7 +113,7 @@ BladeMesh bladeMesh(const field::Species& species, const field::Defaults& defaul
     append(mesh, {glm::vec3(0.0f), pose.v1, pose.v2, glm::vec3(1.0f, 0.0f, 0.0f), width},
            species.look);
 
-    // The plant's frame is that of orientation(): its width axis points to −X.
+    // The plant's frame is that of field::bladeRotation(): its width axis points to −X.
     shared::PosedBlade stalk = {};
     stalk.blade.up = glm::vec3(0.0f, 1.0f, 0.0f);
     stalk.blade.height = 1.0f;

@@ -1,9 +1,7 @@
 #include "interchange/instances.h"
 
 #include "core/error.h"
-
-#include <glm/geometric.hpp>
-#include <glm/mat3x3.hpp>
+#include "field/measure/blade_rotation.h"
 
 #include <cmath>
 
@@ -17,18 +15,6 @@ bool isFinite(const shared::Blade& blade)
 }
 
 } // namespace
-
-glm::quat orientation(const glm::vec3& up, float facing)
-{
-    // The frame is orthogonal to about 1e-7; orthonormalise it before conversion to a rotation.
-    const glm::dvec3 y = glm::normalize(glm::dvec3(up));
-    const glm::dvec3 axis(shared::widthAxis(up, facing));
-    const glm::dvec3 z = glm::normalize(glm::cross(y, axis));
-    glm::dquat turn = glm::normalize(glm::quat_cast(glm::dmat3(glm::cross(y, z), y, z)));
-    if (turn.w < 0.0)
-        turn = -turn;
-    return glm::quat(turn);
-}
 
 shared::Blade bladeOf(const field::FieldView& field, std::uint32_t patch, std::size_t index,
                       const std::string& source)
@@ -54,7 +40,7 @@ std::vector<Instance> instancesOf(const field::FieldView& field, const BladeGrou
             instance.blade = bladeOf(field, p, i, source);
             instance.id = field.idOf(i);
             instance.place = glm::vec3(glm::dvec3(instance.blade.root) - group.place);
-            instance.rotation = orientation(instance.blade.up, instance.blade.facing);
+            instance.rotation = field::bladeRotation(instance.blade.up, instance.blade.facing);
             const float across = field.species[instance.blade.species].organs.empty()
                                      ? instance.blade.width
                                      : instance.blade.height;

@@ -17,7 +17,7 @@ struct Instance {
     shared::Blade blade;
     std::uint64_t id;   ///< field::bladeId, or the blade's index without keys
     glm::vec3 place;    ///< [m] relative to the group
-    glm::quat rotation; ///< see orientation()
+    glm::quat rotation; ///< field::bladeRotation()
     glm::vec3 scale;    ///< [m] width, height, height; of a compound plant thrice its height
 };
 
@@ -30,10 +30,6 @@ shared::Blade bladeOf(const field::FieldView& field, std::uint32_t patch, std::s
 /// does.
 std::vector<Instance> instancesOf(const field::FieldView& field, const BladeGroup& group,
                                   const std::string& source);
-
-/// Unit quaternion, w ≥ 0, that turns +Y to `up` and +Z to the blade's lean direction, by the frame
-/// of shared/blade.h; +X is then opposite to its width axis.
-glm::quat orientation(const glm::vec3& up, float facing);
 
 /// Means of each species' blades, ribbons left out; those of MeanBlade for a species without
 /// blades.

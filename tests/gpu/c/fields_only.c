@@ -11,6 +11,7 @@
 #error "the functions of field files need no Vulkan"
 #endif
 
+#include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
 
@@ -38,6 +39,15 @@ int main(int argc, char** argv)
         for (int channel = 0; channel < 3; ++channel)
             if (!(row->tint[channel] >= 0.0f && row->tint[channel] <= 1.0f))
                 return failed("tint");
+        /* The rotation turns +Y to the up-vector, which is as a row of its matrix. */
+        float r[4] = {0.0f, 0.0f, 0.0f, 0.0f};
+        sward_blade_rotation(row, r);
+        const float up[3] = {2.0f * (r[0] * r[1] - r[2] * r[3]),
+                             1.0f - 2.0f * (r[0] * r[0] + r[2] * r[2]),
+                             2.0f * (r[1] * r[2] + r[0] * r[3])};
+        for (int axis = 0; axis < 3; ++axis)
+            if (!(fabsf(up[axis] - row->up[axis]) < 1e-5f))
+                return failed("rotation");
         if (row->ribbon == 0)
             continue;
         ++ribbons;

@@ -1,4 +1,5 @@
 #include "core/error.h"
+#include "field/measure/blade_rotation.h"
 #include "interchange/instance_attributes.h"
 #include "interchange/instances.h"
 #include "support/fields/fields.h"
@@ -31,7 +32,7 @@ TEST(Orientation, TurnsYToTheUpVectorAndZToTheFront)
     for (const glm::vec3& up : directions())
         for (int step = 0; step < 256; step += 15) {
             const float facing = float(step) * shared::twoPi / 256.0f;
-            const glm::quat turn = orientation(up, facing);
+            const glm::quat turn = field::bladeRotation(up, facing);
             const glm::vec3 front = shared::frontOf(up, shared::widthAxis(up, facing));
             EXPECT_LT(glm::distance(turn * glm::vec3(0, 1, 0), up), 2e-6f);
             EXPECT_LT(glm::distance(turn * glm::vec3(0, 0, 1), front), 2e-6f);
@@ -44,7 +45,7 @@ TEST(Orientation, IsAUnitQuaternionWithPositiveW)
 {
     for (const glm::vec3& up : directions())
         for (const float facing : {0.0f, 1.0f, 3.1415927f, 6.2f}) {
-            const glm::quat turn = orientation(up, facing);
+            const glm::quat turn = field::bladeRotation(up, facing);
             EXPECT_NEAR(glm::length(turn), 1.0f, 2e-7f);
             EXPECT_GE(turn.w, 0.0f);
         }
