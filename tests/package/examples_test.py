@@ -173,7 +173,7 @@ class LongEmbedPaint(ExampleTest):
 
     def test_embed_paint_changes_and_takes_back_without_a_validation_message(self):
         needs("pillow")
-        from PIL import Image, ImageStat
+        from PIL import Image, ImageChops, ImageStat
         self.build_example("embed_paint", bakes=True)
         said = self.run_example("painted.png", "SYNCHRONIZATION_VALIDATION")
         found = re.fullmatch(r"llvmpipe.* drew (\d+) and (\d+) blades; 11 edits baked (\d+) cells again\n", said)
@@ -186,11 +186,15 @@ class LongEmbedPaint(ExampleTest):
 
         def brightness(picture, box):
             return sum(ImageStat.Stat(picture.crop(box)).mean)
-        # Where nothing is painted the wind alone changes the grass.
+
+        def change(box):
+            return sum(ImageStat.Stat(ImageChops.difference(painted.crop(box), undone.crop(box))).mean)
+        # Where nothing is painted the wind alone changes the grass. Trodden grass is as bright as the shaded grass that
+        # stood there, but looks otherwise.
         share = {name: brightness(painted, box) / brightness(undone, box) for name, box in
-                 (("burned", self.burned), ("track", self.track), ("meadow", self.meadow))}
+                 (("burned", self.burned), ("meadow", self.meadow))}
         self.assertLess(share["burned"], 0.6)
-        self.assertLess(share["track"], 0.95)
+        self.assertGreater(change(self.track), 2 * change(self.meadow))
         self.assertAlmostEqual(share["meadow"], 1.0, delta=0.03)
 
 
