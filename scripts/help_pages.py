@@ -6,7 +6,7 @@ import textwrap
 from dataclasses import dataclass, field
 
 COMMANDS = {
-    "sward": ["bake", "info", "validate", "compare", "export", "terrain", "plan", "tile", "merge", "edit", "trace", "grow"],
+    "sward": ["bake", "info", "validate", "compare", "export", "terrain", "plan", "tile", "merge", "edit", "trace", "grow", "lidar"],
     "sward-view": ["", "render", "bench", "devices"],
 }
 LONGEST_ROW = 200  # of a table; no line of a page is longer

@@ -6,7 +6,7 @@ import unittest
 
 from support import CliTest, INPUT, IO, USAGE, ROOT
 
-COMMANDS = ("bake", "info", "validate", "compare", "export", "terrain", "plan", "tile", "merge", "trace", "grow")
+COMMANDS = ("bake", "info", "validate", "compare", "export", "terrain", "plan", "tile", "merge", "trace", "grow", "lidar")
 
 
 class CommandLine(CliTest):

@@ -30,7 +30,8 @@ int run(int argc, char** argv)
     const std::unique_ptr<Subcommand> commands[] = {
         addBake(program),   addInfo(program),    addValidate(program), addCompare(program),
         addExport(program), addTerrain(program), addPlan(program),     addTile(program),
-        addMerge(program),  addEdit(program),    addTrace(program),    addGrow(program)};
+        addMerge(program),  addEdit(program),    addTrace(program),    addGrow(program),
+        addLidar(program)};
     program.footer(exitCodes);
     program.require_subcommand(0, 1);
     if (const std::optional<int> done = parseCommandLine(program, argc, argv))

@@ -43,6 +43,7 @@ std::unique_ptr<Subcommand> addPlan(CLI::App& program);
 std::unique_ptr<Subcommand> addTile(CLI::App& program);
 std::unique_ptr<Subcommand> addMerge(CLI::App& program);
 std::unique_ptr<Subcommand> addEdit(CLI::App& program);
+std::unique_ptr<Subcommand> addLidar(CLI::App& program);
 std::unique_ptr<Subcommand> addTrace(CLI::App& program);
 
 } // namespace sward::apps
