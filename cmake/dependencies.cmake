@@ -29,6 +29,8 @@ find_package(PNG REQUIRED)
 find_package(meshoptimizer REQUIRED)
 find_package(draco REQUIRED)
 find_package(OpenEXR 3 REQUIRED)
+# Maps (docs/maps.md); without it they are refused.
+find_package(GDAL QUIET)
 find_package(zstd REQUIRED)
 find_package(PkgConfig REQUIRED)
 pkg_check_modules(xxhash REQUIRED IMPORTED_TARGET libxxhash)

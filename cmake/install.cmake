@@ -43,6 +43,10 @@ function(sward_install_component name)
 endfunction()
 sward_install_component(Field sward_core sward_shared sward_field sward_c_field)
 sward_install_component(Bake sward_assets sward_terrain sward_stb sward_bake)
+# What reads maps: programs look for it beside themselves and where the system does.
+if(TARGET sward_maps)
+  install(TARGETS sward_maps LIBRARY DESTINATION ${CMAKE_INSTALL_LIBDIR} COMPONENT maps)
+endif()
 # The C interface for programs that open libraries: libsward.so.
 install(TARGETS sward_library LIBRARY DESTINATION ${CMAKE_INSTALL_LIBDIR} COMPONENT development)
 sward_install_component(Render sward_gpu sward_render sward_presentation sward_c)

@@ -1,10 +1,13 @@
-# `cpack -G DEB` in the build folder: sward (the programs), sward-doc (documentation and examples) and
-# sward-dev (for programs that draw, bake or read fields). Debian's own tools find out which shared
+# `cpack -G DEB` in the build folder: sward (the programs), sward-maps (what reads maps for them, where there is GDAL),
+# sward-doc (documentation and examples) and sward-dev (for programs that draw, bake or read fields). Debian's own tools find out which shared
 # libraries the programs need, and what the packages are called that hold them.
 set(CPACK_PACKAGE_NAME sward)
 set(CPACK_PACKAGE_CONTACT "Sward's authors <sward@invalid>")
 set(CPACK_PACKAGING_INSTALL_PREFIX /usr)
 set(CPACK_COMPONENTS_ALL runtime development documentation)
+if(TARGET sward_maps)
+  list(APPEND CPACK_COMPONENTS_ALL maps)
+endif()
 set(CPACK_STRIP_FILES ON)
 # Static libraries are left alone by the former.
 set(CPACK_PRE_BUILD_SCRIPTS ${CMAKE_SOURCE_DIR}/cmake/package/strip_libraries.cmake)
@@ -20,7 +23,12 @@ set(CPACK_DEBIAN_RUNTIME_PACKAGE_SECTION graphics)
 set(CPACK_DEBIAN_RUNTIME_PACKAGE_SHLIBDEPS ON)
 # Any Vulkan driver will do; this one needs no GPU.
 set(CPACK_DEBIAN_RUNTIME_PACKAGE_RECOMMENDS mesa-vulkan-drivers)
-set(CPACK_DEBIAN_RUNTIME_PACKAGE_SUGGESTS sward-doc)
+set(CPACK_DEBIAN_RUNTIME_PACKAGE_SUGGESTS "sward-doc, sward-maps")
+
+set(CPACK_COMPONENT_MAPS_DESCRIPTION "Reads GeoTIFF, GeoJSON and GeoPackage for sward bake.")
+set(CPACK_DEBIAN_MAPS_PACKAGE_NAME sward-maps)
+set(CPACK_DEBIAN_MAPS_PACKAGE_SECTION graphics)
+set(CPACK_DEBIAN_MAPS_PACKAGE_SHLIBDEPS ON)
 
 set(CPACK_COMPONENT_DEVELOPMENT_DESCRIPTION "Libraries and headers for programs that read field files, bake them, or draw
 them on a Vulkan device of their own.")
@@ -29,6 +37,8 @@ set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_SECTION libdevel)
 # What every component needs; then what baking and drawing need, which is taken unless declined.
 set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_DEPENDS "libglm-dev, libfmt-dev, libspdlog-dev, \
 nlohmann-json3-dev, libxxhash-dev, libzstd-dev, pkg-config")
+# libsward.so needs what it links.
+set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_SHLIBDEPS ON)
 set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_RECOMMENDS "libvulkan-dev, libembree-dev, libopenmesh-dev, \
 libtinygltf-dev, libtbb-dev, libstb-dev, libpng-dev, libopenexr-dev, libdraco-dev, \
 libmeshoptimizer-dev")

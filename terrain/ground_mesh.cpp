@@ -167,6 +167,7 @@ void append(GroundMesh& mesh, const GroundMesh& other)
         mesh.origin = other.origin;
         mesh.hasNormals = other.hasNormals;
         mesh.copyright = other.copyright;
+        mesh.mapSystem = other.mapSystem;
     } else {
         mesh.hasNormals = mesh.hasNormals && other.hasNormals;
         if (mesh.copyright.empty())

@@ -77,7 +77,8 @@ struct GroundMesh {
     std::vector<GroundMaterial> materials; ///< at least one
     std::vector<GroundImage> images;
     std::vector<std::string> nodes; ///< names; the path "parent/child" for nested nodes
-    std::string copyright;          ///< glTF asset.copyright, passed on to exports
+    std::string mapSystem; ///< coordinate system of the world as WKT: x east, z south; or empty
+    std::string copyright; ///< glTF asset.copyright, passed on to exports
 
     double precision = 0.0; ///< [m] to which vertices of open edges are taken for one; 0: exact
     bool hasColors = false; ///< some vertex has a colour in the file

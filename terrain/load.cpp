@@ -50,7 +50,7 @@ GroundMesh loadFile(const std::filesystem::path& path, const ImportSettings& set
     if (size > sizeLimit)
         fail(ErrorKind::unsupported, "{}: {} bytes, more than the {} that are read", name, size,
              sizeLimit);
-    if (!isRawHeightmap(path))
+    if (!isRawHeightmap(path) && !isMapRaster(path))
         refuseForeign(MappedFile(path).bytes(), name);
     if (extension == ".glb" || extension == ".gltf") {
         Soup soup = importGltf(path, settings, worldFromFile, diagnostics);
@@ -78,11 +78,6 @@ GroundMesh loadFile(const std::filesystem::path& path, const ImportSettings& set
         return place(makeFromRecipe(text, name, path.parent_path(), diagnostics, settings.masks),
                      worldFromFile, name);
     }
-    if (extension == ".tif" || extension == ".tiff")
-        fail(ErrorKind::unsupported,
-             "{}: TIFF is not read; make a heightmap of it: gdal_translate -ot UInt16 -of PNG "
-             "-scale MIN MAX 0 65535",
-             name);
     constexpr std::array<std::string_view, 9> models{".fbx",  ".blend", ".usd", ".usda", ".usdc",
                                                      ".usdz", ".dae",   ".3ds", ".max"};
     if (std::find(models.begin(), models.end(), extension) != models.end())
@@ -92,7 +87,7 @@ GroundMesh loadFile(const std::filesystem::path& path, const ImportSettings& set
              name, extension);
     fail(ErrorKind::unsupported,
          "{}: files of kind \"{}\" are not read; read are .glb .gltf .obj .ply .stl .off .png .r16 "
-         ".raw .r32 .hgt .asc .exr .json",
+         ".raw .r32 .hgt .asc .exr .tif .json",
          name, extension);
 }
 

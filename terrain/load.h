@@ -50,6 +50,9 @@ GroundMesh load(const std::string& input, const ImportSettings& settings, Diagno
 /// roles), as 16 hex digits. Equal hashes mean that two bakes used the same ground.
 std::string contentHash(const GroundMesh& mesh);
 
+/// XXH3 over the bytes of a file, as 16 hex digits. Throws Error{io} if it cannot be read.
+std::string fileHash(const std::filesystem::path& path);
+
 /// The same over what materials and images contribute to it.
 std::uint64_t appearanceHash(const GroundMesh& mesh);
 

@@ -69,6 +69,7 @@ void write(RecordWriter& writer, const GroundMesh& ground)
     for (const std::string& node : ground.nodes)
         writer.add(std::string_view(node));
     writer.add(std::string_view(ground.copyright));
+    writer.add(std::string_view(ground.mapSystem));
     writer.addOne(static_cast<std::uint32_t>(ground.hasColors ? 1 : 0));
     writer.addOne(static_cast<std::uint32_t>(ground.hasNormals ? 1 : 0));
 }
@@ -122,6 +123,7 @@ GroundMesh readGround(RecordReader& reader, const std::string& place)
     for (reader.readOne(count); count > 0; --count)
         reader.read(ground.nodes.emplace_back());
     reader.read(ground.copyright);
+    reader.read(ground.mapSystem);
     std::uint32_t flag = 0;
     reader.readOne(flag);
     ground.hasColors = flag != 0;

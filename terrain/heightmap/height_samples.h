@@ -18,10 +18,12 @@ namespace sward::terrain {
 struct HeightSamples {
     glm::uvec2 size{0U};
     std::vector<float> values;
-    double full = 1.0;     ///< highest value of the format
-    bool isMetric = false;  ///< the values are metres already
-    bool isEncoded = false; ///< they were colours
-    glm::dvec2 step{0.0};  ///< [m] from sample to sample along x and z, if the file tells; else 0
+    double full = 1.0;       ///< highest value of the format
+    bool isMetric = false;   ///< the values are metres already
+    bool isEncoded = false;  ///< they were colours
+    glm::dvec2 step{0.0};    ///< [m] from sample to sample along x and z, if the file tells; else 0
+    glm::dvec2 middle{0.0};  ///< [m] x and z in the world, if the file tells
+    std::string mapSystem{}; ///< GroundMesh::mapSystem
 };
 
 /// How a colour stands for a height.
@@ -85,6 +87,9 @@ void hintAtNoData(const HeightSamples& samples, const std::string& place, Diagno
 /// part of the range, heights from 0 to 1 in metres.
 void hintAtFewHeights(const HeightSamples& samples, const std::string& place,
                       Diagnostics& diagnostics);
+
+/// The first band of a GeoTIFF, in metres of its map (maps/map_grid.h).
+HeightSamples readMapHeights(const std::string& path, Diagnostics& diagnostics);
 
 /// One channel of an OpenEXR image: Y, else Z, R, height, else the first. Non-finite values, common
 /// no-data values and samples whose channel A is below 0.5 become NaN; A below 0.5 everywhere is

@@ -144,8 +144,8 @@ private:
 
     glm::dvec3 positionAt(std::size_t i, std::size_t j) const
     {
-        return {lineAt(i, cells_.x, grid_.extent.x), heights_[pointAt(i, j)],
-                lineAt(j, cells_.y, grid_.extent.y)};
+        return {grid_.middle.x + lineAt(i, cells_.x, grid_.extent.x), heights_[pointAt(i, j)],
+                grid_.middle.y + lineAt(j, cells_.y, grid_.extent.y)};
     }
 
     // Slope over the two cells beside `own`, or over one cell at a border.
@@ -191,8 +191,8 @@ GroundMesh heightfield(const HeightGrid& grid,
     std::vector<double> heights(grid.points());
     forEachRow(grid.cells.y + 1, [&](std::size_t j) {
         for (std::size_t i = 0; i < columns; ++i)
-            heights[j * columns + i] =
-                height(lineAt(i, cells.x, grid.extent.x), lineAt(j, cells.y, grid.extent.y));
+            heights[j * columns + i] = height(grid.middle.x + lineAt(i, cells.x, grid.extent.x),
+                                              grid.middle.y + lineAt(j, cells.y, grid.extent.y));
     });
     return heightfield(grid, heights, {}, "heightfield");
 }

@@ -11,10 +11,11 @@
 
 namespace sward::terrain {
 
-/// A regular grid of heights around the world's origin, in the x-z plane.
+/// A regular grid of heights in the x-z plane.
 struct HeightGrid {
     glm::dvec2 extent{40.0};      ///< [m] along x and z
     glm::uvec2 cells{200U, 200U}; ///< along x and z, at least 1
+    glm::dvec2 middle{0.0};       ///< [m] x and z of the grid's middle in the world
 
     std::size_t points() const { return (std::size_t(cells.x) + 1) * (std::size_t(cells.y) + 1); }
 };

@@ -41,7 +41,9 @@ HeightSamples readSamples(const std::filesystem::path& path, const HeightmapSett
     const std::string_view text(reinterpret_cast<const char*>(file.bytes().data()),
                                 file.bytes().size());
     HeightSamples samples;
-    if (extension == ".exr")
+    if (isMapRaster(path))
+        samples = readMapHeights(place, diagnostics);
+    else if (extension == ".exr")
         samples = readExrHeights(file.bytes(), place, diagnostics);
     else if (extension == ".hgt")
         samples = readHgtHeights(file.bytes(), place, path.stem().string(), diagnostics);
@@ -149,7 +151,13 @@ bool isHeightmap(const std::filesystem::path& path)
 {
     const std::string extension = fileKind(path);
     return extension == ".png" || extension == ".exr" || extension == ".asc" ||
-           isRawHeightmap(path);
+           isRawHeightmap(path) || isMapRaster(path);
+}
+
+bool isMapRaster(const std::filesystem::path& path)
+{
+    const std::string extension = fileKind(path);
+    return extension == ".tif" || extension == ".tiff";
 }
 
 bool isRawHeightmap(const std::filesystem::path& path)
@@ -184,7 +192,9 @@ GroundMesh importHeightmap(const std::filesystem::path& path, const HeightmapSet
     if (!settings.height || !samples.isMetric)
         hintAtFewHeights(samples, place, diagnostics);
     const HeightGrid grid{.extent = extentOf(samples, settings, place, diagnostics),
-                          .cells = samples.size - 1U};
+                          .cells = samples.size - 1U,
+                          .middle = samples.middle};
+    std::string mapSystem = std::move(samples.mapSystem);
     const glm::dvec2 range = rangeOf(samples, settings, grid.extent, place, diagnostics);
     const std::vector<std::uint8_t> holes = holesOf(settings.holeMask, grid.cells, diagnostics);
 
@@ -201,6 +211,7 @@ GroundMesh importHeightmap(const std::filesystem::path& path, const HeightmapSet
                  highest);
     GroundMesh mesh = heightfield(grid, heights, holes, place);
     mesh.nodes[0] = path.stem().string();
+    mesh.mapSystem = std::move(mapSystem);
     return mesh;
 }
 

@@ -14,7 +14,11 @@ bool isHeightmap(const std::filesystem::path& path);
 /// Whether a heightmap has no header, so that its first bytes tell nothing: .r16 .raw .r32 .hgt.
 bool isRawHeightmap(const std::filesystem::path& path);
 
-/// Reads a heightmap (.png .r16 .raw .r32 .hgt .asc .exr) as ground around the world's origin. The
+/// Whether a heightmap is a GeoTIFF, .tif or .tiff, which says where it lies.
+bool isMapRaster(const std::filesystem::path& path);
+
+/// Reads a heightmap (.png .r16 .raw .r32 .hgt .asc .exr) as ground around the world's origin, or a
+/// GeoTIFF where its map has it: x to the east, z to the south. The
 /// image's upper left corner is at −x and −z; texture coordinates go once over the whole. A missing
 /// setting gets a default and a warning that names the option. Throws Error{usage} naming an option
 /// that is missing or does not match, Error{io, input, unsupported}.

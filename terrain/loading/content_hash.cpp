@@ -1,4 +1,5 @@
 #include "core/expect.h"
+#include "core/files/mapped_file.h"
 #include "terrain/image/channel_image.h"
 #include "terrain/load.h"
 
@@ -85,6 +86,12 @@ std::string contentHash(const GroundMesh& mesh)
     hasher.add(mesh.bears);
     addAppearance(mesh, hasher);
     return fmt::format("{:016x}", hasher.digest());
+}
+
+std::string fileHash(const std::filesystem::path& path)
+{
+    const MappedFile file(path);
+    return fmt::format("{:016x}", XXH3_64bits(file.bytes().data(), file.bytes().size()));
 }
 
 std::uint64_t appearanceHash(const GroundMesh& mesh)

@@ -50,6 +50,7 @@ NEEDS = {
     "open3d": Need("Open3D", ("python3-open3d",), module("open3d")),
     "skimage": Need("scikit-image", ("python3-skimage",), module("skimage")),
     "pillow": Need("Pillow", ("python3-skimage",), module("PIL")),  # scikit-image depends on it
+    "gdal": Need("GDAL with its Python", ("libgdal-dev", "python3-gdal"), module("osgeo")),
     "parallel": Need("GNU parallel", ("parallel",), programs("parallel")),
     "slurm": Need("Slurm", ("munge", "slurmctld", "slurmd", "slurm-client"), programs("munged", "slurmctld", "slurmd", "sbatch")),
     # The packages themselves are fetched by the first test that uses one (tests/cli/export/node_readers.py).

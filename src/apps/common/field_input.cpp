@@ -14,9 +14,9 @@ namespace fs = std::filesystem;
 
 const std::vector<std::string>& groundExtensions()
 {
-    static const std::vector<std::string> extensions{".glb", ".gltf", ".obj", ".ply", ".stl",
-                                                     ".off", ".png",  ".r16", ".raw", ".r32",
-                                                     ".hgt", ".asc",  ".exr", ".json"};
+    static const std::vector<std::string> extensions{
+        ".glb", ".gltf", ".obj", ".ply", ".stl", ".off", ".png",  ".r16",
+        ".raw", ".r32",  ".hgt", ".asc", ".exr", ".tif", ".tiff", ".json"};
     return extensions;
 }
 

@@ -87,6 +87,7 @@ bool isZeroOn(const Mask& mask, const terrain::GroundMesh& ground, const GroundP
                                         maxPixels);
     }
     case Mask::Source::groundGreen:
+    case Mask::Source::raster:
         break;
     }
     return false;

@@ -1,6 +1,7 @@
 #include "bake/filter/root_filter.h"
 
 #include "bake/filter/up_vector.h"
+#include "bake/mask/map_mask.h"
 #include "core/error.h"
 #include "core/expect.h"
 #include "core/random.h"
@@ -31,6 +32,26 @@ bool restricts(const SoftRange& range)
 
 } // namespace
 
+namespace {
+
+// Of the whole ground, or of a part where another program knows the rest.
+void readMaps(const terrain::GroundMesh& ground, const BakeSettings& settings)
+{
+    const auto readOf = [&](const std::vector<Mask>& masks) {
+        for (const Mask& mask : masks)
+            if (mask.map != nullptr)
+                mask.map->read(ground);
+    };
+    readOf(settings.masks);
+    for (const SpeciesTraits& species : settings.meadow.species)
+        readOf(species.habitat.masks);
+    for (const ExcludedArea& area : settings.excluded)
+        if (area.map != nullptr)
+            area.map->read(ground);
+}
+
+} // namespace
+
 RootFilter::RootFilter(const terrain::GroundMesh& ground, const BakeSettings& settings,
                        const terrain::SurfaceQuery* query, const terrain::SurfaceFeatures* features,
                        double scale)
@@ -48,6 +69,7 @@ RootFilter::RootFilter(const terrain::GroundMesh& ground, const BakeSettings& se
         green_.emplace(ground, scale, masksByVertexColor(settings));
     if (restricts(settings.border))
         border_.emplace(ground, features->borders, settings.border.low);
+    readMaps(ground, settings);
     for (const ExcludedArea& area : settings.excluded)
         excluded_.emplace_back(area, ground.origin);
     if (query != nullptr && hasOccluders(ground))
@@ -258,7 +280,8 @@ terrain::FeatureChoice featuresFor(const BakeSettings& settings)
 void checkGround(const terrain::GroundMesh& ground, const BakeSettings& settings)
 {
     for (const ExcludedArea& area : settings.excluded)
-        expect(area.mesh != nullptr, "an excluded area has no mesh");
+        expect(area.mesh != nullptr || area.map != nullptr, "an excluded area has no mesh");
+    readMaps(ground, settings);
     if (needsGreen(settings) && !hasOwnColors(ground, masksByVertexColor(settings)))
         fail(ErrorKind::usage,
              "--mask ground:green: the ground that bears grass has no colours: no image, no vertex "
@@ -279,8 +302,7 @@ double reachOf(const terrain::GroundMesh& ground, const BakeSettings& settings, 
     if (hasOccluders(ground))
         reach = std::max(reach, OccluderTest::reach);
     const bool isWide = settings.meadow.wideVariation > 0.0;
-    reach =
-        std::max(reach, 1.5 * clumpSpacing + (isWide ? wideVariationReach * scale : 0.0));
+    reach = std::max(reach, 1.5 * clumpSpacing + (isWide ? wideVariationReach * scale : 0.0));
     reach = std::max(reach, settings.meadow.edges.pathReach * scale);
     double painted = 1.0;
     for (const Stroke& stroke : settings.strokes.list)

@@ -208,6 +208,7 @@ terrain::GroundMesh partOf(const terrain::GroundMesh& ground,
     part.images = ground.images;
     part.nodes = ground.nodes;
     part.copyright = ground.copyright;
+    part.mapSystem = ground.mapSystem;
     part.hasColors = ground.hasColors;
     part.hasNormals = ground.hasNormals;
     for (const terrain::VertexAttribute& one : ground.attributes.list)

@@ -1,5 +1,6 @@
 #include "bake/mask/mask.h"
 
+#include "bake/mask/map_mask.h"
 #include "bake/mask/mask_words.h"
 #include "core/error.h"
 #include "core/expect.h"
@@ -9,6 +10,7 @@
 
 #include <algorithm>
 #include <charconv>
+#include <cmath>
 #include <filesystem>
 #include <string_view>
 
@@ -17,6 +19,7 @@ namespace {
 
 constexpr const char* channelNames = "RGBA";
 constexpr const char* groundGreenText = "ground:green";
+constexpr const char* rasterText = "raster:";
 constexpr const char* invertWord = ":invert";
 constexpr const char* transformWord = ":transform";
 constexpr const char* whiteWord = ":or-white";
@@ -42,6 +45,17 @@ glm::dvec2 uvAt(const terrain::GroundMesh& ground, const std::vector<Value>& uvs
     const auto c = static_cast<double>(root.barycentric.y);
     return (1.0 - b - c) * glm::dvec2(uvs[corners.x]) + b * glm::dvec2(uvs[corners.y]) +
            c * glm::dvec2(uvs[corners.z]);
+}
+
+// In the world, by triangle and barycentrics alone.
+glm::dvec3 placeOf(const terrain::GroundMesh& ground, const RootSample& root)
+{
+    const glm::uvec3 corners = ground.triangles[root.triangle];
+    const auto b = static_cast<double>(root.barycentric.x);
+    const auto c = static_cast<double>(root.barycentric.y);
+    return ground.origin + (1.0 - b - c) * glm::dvec3(ground.positions[corners.x]) +
+           b * glm::dvec3(ground.positions[corners.y]) +
+           c * glm::dvec3(ground.positions[corners.z]);
 }
 
 double colorAt(const terrain::GroundMesh& ground, const std::vector<glm::vec4>& colors,
@@ -100,6 +114,64 @@ std::optional<int> takeChannel(std::string& text)
         if (takeEnd(text, std::string(":") + channelNames[channel]))
             return channel;
     return std::nullopt;
+}
+
+// Numbers with commas between them; empty if the text is anything else.
+std::vector<double> classesOf(std::string_view text)
+{
+    std::vector<double> classes;
+    for (const char *at = text.data(), *const end = at + text.size();; ++at) {
+        double value = 0.0;
+        const auto [stop, error] = std::from_chars(at, end, value);
+        if (error != std::errc())
+            return {};
+        classes.push_back(value);
+        if (stop == end)
+            return classes;
+        if (*stop != ',')
+            return {};
+        at = stop;
+    }
+}
+
+// "A..B"; false, and nothing taken, for any other text.
+bool takeRange(Mask& mask, std::string_view word)
+{
+    const std::size_t dots = word.find("..");
+    if (dots == std::string_view::npos)
+        return false;
+    const std::vector<double> low = classesOf(word.substr(0, dots));
+    const std::vector<double> high = classesOf(word.substr(dots + 2));
+    if (low.size() != 1 || high.size() != 1 || low[0] == high[0])
+        return false;
+    mask.low = low[0];
+    mask.high = high[0];
+    return true;
+}
+
+// "FILE[:bN][:V,V,…]" or "FILE[:bN][:A..B]"
+std::optional<Mask> readRasterMask(Mask mask, std::string text)
+{
+    mask.source = Mask::Source::raster;
+    if (const std::size_t colon = text.rfind(':'); colon != std::string::npos) {
+        const std::string_view word = std::string_view(text).substr(colon + 1);
+        mask.classes = classesOf(word);
+        if (!mask.classes.empty() || takeRange(mask, word))
+            text.resize(colon);
+    }
+    if (const std::size_t colon = text.rfind(":b"); colon != std::string::npos) {
+        const std::string_view number = std::string_view(text).substr(colon + 2);
+        const auto [stop, error] =
+            std::from_chars(number.data(), number.data() + number.size(), mask.band);
+        if (error == std::errc() && stop == number.data() + number.size() && mask.band >= 1)
+            text.resize(colon);
+        else
+            mask.band = 1;
+    }
+    if (text.empty())
+        return std::nullopt;
+    mask.file = std::move(text);
+    return mask;
 }
 
 // What an attribute is, in an error.
@@ -166,6 +238,7 @@ std::string Mask::attributeName() const
     case Source::materialTexture:
         return terrain::materialCoordinates;
     case Source::groundGreen:
+    case Source::raster:
         break;
     }
     return {};
@@ -179,6 +252,12 @@ double Mask::at(const terrain::GroundMesh& ground, const RootSample& root, doubl
     double value = 0.0;
     if (source == Source::groundGreen) {
         value = green;
+    } else if (source == Source::raster) {
+        value = map->at(placeOf(ground, root));
+        value = classes.empty() ? (value - low) / (high - low) : value;
+        // Without data there is no grass, inverted or not.
+        if (std::isnan(value))
+            return 0.0;
     } else if (source == Source::vertexColor) {
         value = colorAt(ground, own != nullptr ? own->values : ground.colors, root, channel);
     } else if (source == Source::texture) {
@@ -201,6 +280,8 @@ std::optional<Mask> readMask(const std::string& text)
         mask.source = Mask::Source::groundGreen;
         return mask;
     }
+    if (rest.starts_with(rasterText) && rest.size() > std::string_view(rasterText).size())
+        return readRasterMask(std::move(mask), rest.substr(std::string_view(rasterText).size()));
     const std::string texture = "texture:";
     const std::string color = "vertex-color";
     mask.orWhite = rest.starts_with(color) && takeEnd(rest, whiteWord);
@@ -235,7 +316,8 @@ Mask parseMask(const std::string& text)
         fail(ErrorKind::usage,
              "--mask is \"{}\"{}{}; expected ground:green, or vertex-color:C, vertex-color1:C, "
              "vertex-color:_NAME, material-texture:C or texture:FILE:C with C one of R G B A, "
-             "after a texture perhaps :uv1 or :transform, and perhaps :invert",
+             "after a texture perhaps :uv1 or :transform, or raster:FILE:V,V with values of a "
+             "GeoTIFF, and perhaps :invert",
              text, trouble.empty() ? "" : ": ", trouble);
     }
     return *mask;
@@ -246,6 +328,14 @@ std::string textOf(const Mask& mask)
     if (mask.source == Mask::Source::groundGreen)
         return fmt::format("{}{}", groundGreenText, mask.invert ? invertWord : "");
     const char* const invert = mask.invert ? invertWord : "";
+    if (mask.source == Mask::Source::raster) {
+        std::string text = fmt::format("{}{}:b{}", rasterText, mask.file, mask.band);
+        for (std::size_t i = 0; i < mask.classes.size(); ++i)
+            text += fmt::format("{}{}", i == 0 ? ':' : ',', mask.classes[i]);
+        if (mask.classes.empty())
+            text += fmt::format(":{}..{}", mask.low, mask.high);
+        return text + invert;
+    }
     const char* const white = mask.orWhite ? whiteWord : "";
     const char channel = channelNames[mask.channel];
     const std::size_t prefix = mask.attribute.rfind('_') + 1;
@@ -266,6 +356,8 @@ std::string textOf(const Mask& mask)
 void loadImages(std::vector<Mask>& masks)
 {
     for (Mask& mask : masks) {
+        if (mask.source == Mask::Source::raster && mask.map == nullptr)
+            mask.map = std::make_shared<MapMask>(mask.file, mask.band, mask.classes, textOf(mask));
         if (mask.source != Mask::Source::texture || mask.image != nullptr)
             continue;
         for (const Mask& other : masks)
@@ -314,6 +406,11 @@ void checkMasks(const std::vector<Mask>& masks, const terrain::GroundMesh& groun
     }
 
     for (const Mask& mask : masks) {
+        if (mask.source == Mask::Source::raster) {
+            expect(mask.map != nullptr, "loadImages() was not called");
+            mask.map->read(ground);
+            continue;
+        }
         expect(mask.source != Mask::Source::texture || mask.image != nullptr,
                "loadImages() was not called");
         checkParts(mask, ground);

@@ -111,6 +111,8 @@ std::string maskTrouble(const std::string& text)
         return troubleBehind(words, static_cast<std::size_t>(file - words.begin()) + 1, false,
                              {"uv1", "transform", "invert"});
     }
+    if (kind == "raster")
+        return words.size() < 2 || words[1].empty() ? "a file is missing" : "";
     if (kind == "material-texture")
         return troubleBehind(words, 1, true, {"invert"});
     if (kind.starts_with("vertex-color")) {
@@ -125,7 +127,7 @@ std::string maskTrouble(const std::string& text)
                            words.size() > 1 && isChannel(words[1]) ? "" : ":R",
                            trouble.empty() ? rest : fmt::format(" …, and {}", trouble));
     }
-    return unknown(kind, {"ground", "vertex-color", "material-texture", "texture"});
+    return unknown(kind, {"ground", "vertex-color", "material-texture", "texture", "raster"});
 }
 
 } // namespace sward::bake

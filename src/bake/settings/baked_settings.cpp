@@ -83,7 +83,7 @@ void readGroundUp(SettingsReader& reader, GroundUp& up)
 // A mask whose image the field does not hold.
 bool hasImage(const std::string& mask)
 {
-    return mask.starts_with("texture:");
+    return mask.starts_with("texture:") || mask.starts_with("raster:");
 }
 
 bool hasImages(const Meadow& meadow)

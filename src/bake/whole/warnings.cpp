@@ -1,5 +1,6 @@
 #include "bake/whole/warnings.h"
 
+#include "bake/mask/map_mask.h"
 #include "bake/paint/stroke_contact.h"
 
 #include <glm/geometric.hpp>
@@ -119,6 +120,14 @@ void warnAboutIdle(const RootCounts& counts, const Report::Input& ground,
     const glm::dvec3 low = ground.low;
     const glm::dvec3 high = ground.high;
     for (const ExcludedArea& area : settings.excluded) {
+        if (area.map != nullptr) {
+            const terrain::MapBounds own = area.map->bounds();
+            diagnostics.warn(
+                "--exclude {}: excludes nothing; it lies from {:.8g} to {:.8g} m east and "
+                "{:.8g} to {:.8g} m north, the ground from {:.8g} to {:.8g} and {:.8g} to {:.8g}",
+                area.file, own.low.x, own.high.x, own.low.y, own.high.y, low.x, high.x, -high.z,
+                -low.z);
+        }
         if (area.mesh == nullptr)
             continue;
         const Aabb own = area.mesh->bounds();

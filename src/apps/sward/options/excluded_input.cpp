@@ -16,6 +16,8 @@ void loadExcluded(BakeRequest& request, Diagnostics& diagnostics)
     placing.occluderNodes.clear();
     for (bake::ExcludedArea& area : request.settings.excluded) {
         throwIfInterrupted("load");
+        if (bake::takeMapArea(area))
+            continue;
         terrain::GroundMesh mesh = terrain::load(area.file, placing, diagnostics);
         area.mesh = std::make_shared<const terrain::GroundMesh>(std::move(mesh));
     }

@@ -1,0 +1,69 @@
+#include "core/error.h"
+#include "core/system/shared_library.h"
+#include "terrain/files/file_kind.h"
+#include "terrain/maps/map_reader.h"
+
+#include <array>
+#include <filesystem>
+
+namespace sward::terrain {
+namespace {
+
+constexpr const char* mapLibrary = "libsward_maps.so";
+
+// The reader of the library beside this program, or where the system looks; null without one.
+const MapReader* openReader()
+{
+    using Door = const MapReader* (*)();
+    const std::filesystem::path own = ownFolder();
+    const std::array<std::filesystem::path, 5> places{own / mapLibrary, own / "../lib" / mapLibrary,
+                                                      own / "../lib/sward" / mapLibrary,
+                                                      own / "../../lib" / mapLibrary, mapLibrary};
+    for (const std::filesystem::path& place : places)
+        if (void* const door = functionOf(place.c_str(), mapReaderName))
+            return reinterpret_cast<Door>(door)();
+    return nullptr;
+}
+
+const MapReader* mapReader()
+{
+    static const MapReader* const reader = openReader();
+    return reader;
+}
+
+const MapReader& readerFor(const std::string& path)
+{
+    if (mapReader() == nullptr)
+        fail(ErrorKind::unsupported,
+             "{}: maps are read by {}, which is not installed (it is built where there is GDAL, "
+             "Debian: libgdal-dev)",
+             path, mapLibrary);
+    return *mapReader();
+}
+
+} // namespace
+
+bool isMapShapes(const std::string& path)
+{
+    const std::string extension = fileKind(path);
+    return extension == ".geojson" || extension == ".gpkg" || extension == ".shp";
+}
+
+bool readsMaps()
+{
+    return mapReader() != nullptr;
+}
+
+MapGrid readMap(const std::string& path, const MapRequest& request, const std::string& option,
+                Diagnostics& diagnostics)
+{
+    return readerFor(path).readMap(path, request, option, diagnostics);
+}
+
+std::shared_ptr<const MapShapes> readMapShapes(const std::string& path, double margin,
+                                               const std::string& system, Diagnostics& diagnostics)
+{
+    return readerFor(path).readShapes(path, margin, system, diagnostics);
+}
+
+} // namespace sward::terrain

@@ -1,0 +1,27 @@
+#pragma once
+
+#include "terrain/maps/map_shapes.h"
+
+namespace sward::terrain {
+
+/// What the library sward_maps does, which alone links GDAL and some hundred libraries behind it:
+/// programs open it when a map is read. Its functions are readMap() and readMapShapes().
+struct MapReader {
+    MapGrid (*readMap)(const std::string& path, const MapRequest& request,
+                       const std::string& option, Diagnostics& diagnostics);
+    std::shared_ptr<const MapShapes> (*readShapes)(const std::string& path, double margin,
+                                                   const std::string& system,
+                                                   Diagnostics& diagnostics);
+};
+
+/// By GDAL, inside that library; as readMap() and readMapShapes().
+MapGrid readMapByGdal(const std::string& path, const MapRequest& request, const std::string& option,
+                      Diagnostics& diagnostics);
+std::shared_ptr<const MapShapes> readShapesByGdal(const std::string& path, double margin,
+                                                  const std::string& system,
+                                                  Diagnostics& diagnostics);
+
+/// Name of the function that returns the library's MapReader; changes with what it holds.
+inline constexpr const char* mapReaderName = "sward_map_reader_1";
+
+} // namespace sward::terrain

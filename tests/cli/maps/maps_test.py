@@ -1,0 +1,237 @@
+"""Maps as ground, masks and excluded areas: GeoTIFF, GeoJSON and GeoPackage, written by GDAL's own Python."""
+
+import math
+import shutil
+import subprocess
+import sys
+import unittest
+from pathlib import Path
+
+sys.path.append(str(Path(__file__).resolve().parents[1]))
+
+import numpy as np
+
+from support import CliTest, INPUT, IO, PROGRAM, UNSUPPORTED, USAGE, digest
+
+from needs import needs
+
+try:
+    from osgeo import gdal, ogr, osr
+    gdal.UseExceptions()
+    ogr.UseExceptions()
+except ImportError:
+    gdal = None
+
+EAST, NORTH, STEP, SIDE = 500000.0, 4649776.0, 2.0, 101
+Y, X = np.mgrid[0:SIDE, 0:SIDE]
+HEIGHTS = (300 + 10 * np.sin(X / 15) + 8 * np.cos(Y / 12)).astype("f4")
+UTM = 32633
+
+
+def height_at(east, north):
+    """Bilinear between the samples, at pixel centres."""
+    column = np.clip((east - EAST) / STEP - 0.5, 0, SIDE - 1)
+    row = np.clip((NORTH - north) / STEP - 0.5, 0, SIDE - 1)
+    i, j = np.minimum(np.floor([column, row]).astype(int), SIDE - 2)
+    a, b = column - i, row - j
+    h = HEIGHTS
+    return (1 - b) * ((1 - a) * h[j, i] + a * h[j, i + 1]) + b * ((1 - a) * h[j + 1, i] + a * h[j + 1, i + 1])
+
+
+class Maps(CliTest):
+    @classmethod
+    def setUpClass(cls):
+        needs("gdal")
+        super().setUpClass()
+
+    def tif(self, name, values, place=(EAST, STEP, 0, NORTH, 0, -STEP), epsg=UTM, kind="Float32", no_data=None,
+            scale=None, offset=None, unit=None, options=()):
+        bands = values if values.ndim == 3 else values[None]
+        made = gdal.GetDriverByName("GTiff").Create(str(self.folder / name), bands.shape[2], bands.shape[1], len(bands), getattr(gdal, f"GDT_{kind}"),
+                                                    options=list(options))
+        if place:
+            made.SetGeoTransform(place)
+        if epsg:
+            system = osr.SpatialReference()
+            system.ImportFromEPSG(epsg)
+            made.SetProjection(system.ExportToWkt())
+        for number, one in enumerate(bands, 1):
+            band = made.GetRasterBand(number)
+            if no_data is not None:
+                band.SetNoDataValue(no_data)
+            if scale is not None:
+                band.SetScale(scale)
+                band.SetOffset(offset)
+            if unit:
+                band.SetUnitType(unit)
+            band.WriteArray(one)
+        made = None
+        return name
+
+    def rows(self, *options, code=0):
+        self.sward("bake", *options, "--count", "1500", "-o", "f.sward", "--force", "-q", code=code)
+        self.sward("export", "f.sward", "-o", "f.csv", "--force", "-q")
+        return np.genfromtxt(self.folder / "f.csv", delimiter=",", names=True)
+
+    def assert_on_heights(self, rows, delta):
+        np.testing.assert_allclose(rows["y"], height_at(rows["x"], -rows["z"]), atol=delta)
+
+    def test_heights_lie_where_the_map_has_them(self):
+        rows = self.rows(self.tif("a.tif", HEIGHTS))
+        # A cell is two triangles: the surface differs from a bilinear one by a fourth of its twist.
+        self.assert_on_heights(rows, 0.03)
+        self.assertGreater(rows["x"].min(), EAST)
+        self.assertLess(rows["x"].max(), EAST + SIDE * STEP)
+        self.assertGreater(-rows["z"].min(), NORTH - SIDE * STEP)
+
+    def test_any_storage_of_the_same_heights_is_the_same_ground(self):
+        whole = digest(self.folder / self.bake(self.tif("a.tif", HEIGHTS), "--count", "500"))
+        for options in (("TILED=YES", "COMPRESS=DEFLATE", "PREDICTOR=3"), ("BIGTIFF=YES", "COMPRESS=LZW"), ("ENDIANNESS=BIG",)):
+            self.tif("b.tif", HEIGHTS, options=options)
+            (self.folder / "a.tif").write_bytes((self.folder / "b.tif").read_bytes())
+            self.assertEqual(digest(self.bake("a.tif", "--count", "500", "--force")), whole, options)
+        # South up, and turned by a quarter: the same places by another order of samples.
+        flipped = self.tif("c.tif", HEIGHTS[::-1].copy(), place=(EAST, STEP, 0, NORTH - SIDE * STEP, 0, STEP))
+        self.assert_on_heights(self.rows(flipped), 0.03)
+        turned = self.tif("d.tif", HEIGHTS.T.copy(), place=(EAST, 0, STEP, NORTH, -STEP, 0))
+        self.assert_on_heights(self.rows(turned), 0.03)
+
+    def test_integers_with_scale_and_offset_feet_and_missing_samples(self):
+        whole = np.round((HEIGHTS - 300) * 100).astype("i2")
+        self.assert_on_heights(self.rows(self.tif("i.tif", whole, kind="Int16", scale=0.01, offset=300.0)), 0.04)
+        self.assert_on_heights(self.rows(self.tif("ft.tif", HEIGHTS / 0.3048, unit="ft")), 0.03)
+        holed = HEIGHTS.copy()
+        holed[:, :50] = -7
+        rows = self.rows(self.tif("hole.tif", holed, no_data=-7))
+        self.assertGreater(rows["x"].min(), EAST + 50 * STEP)
+        self.assert_on_heights(rows, 0.03)
+
+    def test_degrees_become_metres_around_the_middle(self):
+        # Squares of a thousandth of a degree at 60° north are half as wide as high.
+        d = 1e-4
+        rows = self.rows(self.tif("deg.tif", HEIGHTS, place=(25.0, d, 0, 60.0, 0, -d), epsg=4326))
+        wide, high = SIDE * d * 111_412.84 * math.cos(math.radians(60.0 - SIDE * d / 2)), SIDE * d * 111_412.24
+        self.assertAlmostEqual(np.ptp(rows["x"]), wide, delta=0.03 * wide)
+        self.assertAlmostEqual(np.ptp(rows["z"]), high, delta=0.03 * high)
+        self.assertLess(abs(rows["x"].mean()), 0.05 * wide)
+        self.assertIn("not in metres", self.sward("bake", "deg.tif", "--count", "5", "-o", "x.sward").stderr)
+
+    def test_land_cover_is_a_mask_by_its_classes(self):
+        cover = np.where(X < 50, 30, np.where(Y < 50, 40, 10)).astype("u1")
+        self.tif("cover.tif", cover, kind="Byte")
+        rows = self.rows(self.tif("a.tif", HEIGHTS), "--mask", "raster:cover.tif:30,40")
+        column, row = (rows["x"] - EAST) / STEP, (NORTH + rows["z"]) / STEP
+        self.assertTrue(((column < 50) | (row < 50)).all())
+        self.assertTrue(((column > 50) & (row < 50)).any())
+        inverse = self.rows("a.tif", "--mask", "raster:cover.tif:30,40:invert")
+        self.assertTrue((((inverse["x"] - EAST) / STEP > 50) & ((NORTH + inverse["z"]) / STEP > 50)).all())
+        # In degrees, as land cover of a continent is: brought to the ground's system.
+        gdal.Warp(str(self.folder / "wgs.tif"), str(self.folder / "cover.tif"), dstSRS="EPSG:4326", xRes=1e-5, yRes=1e-5, dstNodata=0)
+        there = self.rows("a.tif", "--mask", "raster:wgs.tif:30,40")
+        inside = ((there["x"] - EAST) / STEP < 51) | ((NORTH + there["z"]) / STEP < 51)
+        self.assertTrue(inside.all())
+
+    def test_a_band_of_numbers_is_a_density(self):
+        canopy = np.stack([np.zeros_like(HEIGHTS), np.tile(np.linspace(0, 60, SIDE, dtype="f4"), (SIDE, 1))])
+        self.tif("canopy.tif", canopy)
+        self.tif("a.tif", np.full_like(HEIGHTS, 5))
+        self.sward("bake", "a.tif", "--density", "2", "--mask", "raster:canopy.tif:b2:0..60", "-o", "f.sward", "-q")
+        self.sward("export", "f.sward", "-o", "f.csv", "-q")
+        rows = np.genfromtxt(self.folder / "f.csv", delimiter=",", names=True)
+        share = (rows["x"] - EAST - STEP / 2) / (STEP * (SIDE - 1))
+        # Linear in x: the mean of x is 2/3, half of the blades lie beyond √½; of 40 000 candidates.
+        self.assertAlmostEqual(share.mean(), 2 / 3, delta=0.01)
+        self.assertAlmostEqual(np.mean(share > math.sqrt(0.5)), 0.5, delta=0.015)
+        self.assertAlmostEqual(len(rows), (STEP * (SIDE - 1)) ** 2, delta=0.02 * (STEP * (SIDE - 1)) ** 2)
+
+    def shapes(self, name, driver, epsg=UTM):
+        system = osr.SpatialReference()
+        system.ImportFromEPSG(epsg)
+        system.SetAxisMappingStrategy(osr.OAMS_TRADITIONAL_GIS_ORDER)
+        utm = osr.SpatialReference()
+        utm.ImportFromEPSG(UTM)
+        utm.SetAxisMappingStrategy(osr.OAMS_TRADITIONAL_GIS_ORDER)
+        made = ogr.GetDriverByName(driver).CreateDataSource(str(self.folder / name))
+        layer = made.CreateLayer("paths", system, ogr.wkbUnknown)
+        for text in (f"POLYGON(({EAST + 50} {NORTH - 50},{EAST + 150} {NORTH - 50},{EAST + 150} {NORTH - 150},"
+                     f"{EAST + 50} {NORTH - 150},{EAST + 50} {NORTH - 50}),({EAST + 80} {NORTH - 80},{EAST + 80} {NORTH - 120},"
+                     f"{EAST + 120} {NORTH - 120},{EAST + 120} {NORTH - 80},{EAST + 80} {NORTH - 80}))",
+                     f"LINESTRING({EAST} {NORTH - 20},{EAST + 200} {NORTH - 20})"):
+            shape = ogr.CreateGeometryFromWkt(text)
+            shape.AssignSpatialReference(utm)
+            shape.TransformTo(system)
+            feature = ogr.Feature(layer.GetLayerDefn())
+            feature.SetGeometry(shape)
+            layer.CreateFeature(feature)
+        made = None
+        return name
+
+    def test_areas_and_paths_are_excluded_with_a_margin(self):
+        self.tif("a.tif", HEIGHTS)
+        whole = None
+        for name, driver, epsg in (("p.gpkg", "GPKG", UTM), ("p.geojson", "GeoJSON", 4326)):
+            rows = self.rows("a.tif", "--exclude", f"{self.shapes(name, driver, epsg)}:margin 3")
+            east, south = rows["x"] - EAST, NORTH + rows["z"]
+            ring = (abs(east - 100) < 52.9) & (abs(south - 100) < 52.9) & ~((abs(east - 100) < 17.1) & (abs(south - 100) < 17.1))
+            self.assertFalse(ring.any(), name)
+            self.assertFalse((abs(south - 20) < 2.9).any(), name)
+            self.assertTrue(((abs(east - 100) < 16) & (abs(south - 100) < 16)).any(), "the hole grows")
+            self.assertTrue(((abs(south - 20) > 3.1) & (abs(south - 20) < 6)).any(), "beside the path grows grass")
+            whole = len(rows) if whole is None else whole
+        self.assertIn("margin", self.sward("bake", "a.tif", "--exclude", "p.gpkg", "-o", "x.sward", code=INPUT).stderr)
+
+    def test_tiles_are_the_whole(self):
+        d = 2e-5
+        self.tif("a.tif", HEIGHTS, place=(25.0, d, 0, 60.0, 0, -d), epsg=4326)
+        self.tif("cover.tif", np.where((X // 10 + Y // 10) % 2, 1, 0).astype("u1"), place=(25.0, d, 0, 60.0, 0, -d), epsg=4326,
+                 kind="Byte")
+        options = ("a.tif", "--density", "2", "--mask", "raster:cover.tif:1")
+        whole = digest(self.bake(*options))
+        self.sward("plan", *options, "--tiles", "3", "-o", "plan.json", "-q")
+        for index in range(3):
+            self.sward("tile", "plan.json", "--index", index, "-o", "parts", "-q")
+        self.sward("merge", "plan.json", "parts", "-o", "t.sward", "-q")
+        self.assertEqual(digest(self.folder / "t.sward"), whole)
+
+    def test_what_is_wrong_is_named(self):
+        self.tif("a.tif", HEIGHTS)
+        self.tif("bare.tif", HEIGHTS, epsg=None)
+        self.tif("nowhere.tif", HEIGHTS, place=None, epsg=None)
+        self.tif("far.tif", HEIGHTS, place=(900000, STEP, 0, NORTH, 0, -STEP))
+        self.tif("complex.tif", HEIGHTS, kind="CFloat32")
+        self.tif("large.tif", np.zeros((2, 2), "u1"), kind="Byte")
+        gdal.GetDriverByName("GTiff").Create(str(self.folder / "huge.tif"), 30000, 30000, 1, gdal.GDT_Byte,
+                                             options=["SPARSE_OK=YES", "COMPRESS=DEFLATE"]).SetGeoTransform((0, 1, 0, 0, 0, -1))
+        (self.folder / "cut.tif").write_bytes((self.folder / "a.tif").read_bytes()[:4000])
+        (self.folder / "text.tif").write_text("no map")
+        (self.folder / "text.geojson").write_text("{}")
+        cases = [(("cut.tif",), INPUT, ("cut.tif", "damaged or truncated")), (("text.tif",), INPUT, ("text.tif", "GeoTIFF")),
+                 (("none.tif",), IO, ("none.tif",)), (("huge.tif",), UNSUPPORTED, ("900000000 samples", "17000000", "gdal_translate")),
+                 (("complex.tif",), UNSUPPORTED, ("complex",)),
+                 (("a.tif", "--mask", "raster:bare.tif"), INPUT, ("bare.tif", "no coordinate system", "gdal_edit.py -a_srs")),
+                 (("a.tif", "--mask", "raster:nowhere.tif"), INPUT, ("nowhere.tif", "no geotransform")),
+                 (("a.tif", "--mask", "raster:far.tif"), INPUT, ("far.tif", "east 900000 to 900202", "do not meet")),
+                 (("a.tif", "--mask", "raster:a.tif:b2"), INPUT, ("a.tif", "1 bands", "number 2")),
+                 (("a.tif", "--mask", "raster:none.tif:3"), IO, ("none.tif",)),
+                 (("a.tif", "--exclude", "none.gpkg"), IO, ("none.gpkg",)),
+                 (("a.tif", "--exclude", "text.geojson"), INPUT, ("text.geojson",)),
+                 (("plane", "--exclude", self.shapes("deg.geojson", "GeoJSON", 4326) + ":1"), INPUT, ("deg.geojson", "not in metres"))]
+        for options, code, names in cases:
+            with self.subTest(options):
+                self.refused("bake", *options, "--count", "10", "-o", "x.sward", code=code, names=names)
+        said = self.sward("bake", "bare.tif", "--count", "10", "-o", "x.sward").stderr
+        self.assertIn("names no coordinate system", said)
+
+    def test_without_the_library_maps_are_refused(self):
+        self.tif("a.tif", HEIGHTS)
+        # A copy of the program alone: nothing lies beside it.
+        lone = self.folder / "alone/sward"
+        lone.parent.mkdir()
+        shutil.copy(PROGRAM, lone)
+        done = subprocess.run([lone, "bake", "a.tif", "--count", "9", "-o", "x.sward"], cwd=self.folder, capture_output=True, text=True)
+        self.assertEqual(done.returncode, UNSUPPORTED, done.stderr)
+        self.assertIn("libsward_maps.so", done.stderr)
+
+
+if __name__ == "__main__":
+    unittest.main()
