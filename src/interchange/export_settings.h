@@ -9,6 +9,7 @@ struct ExportSettings {
     std::string source = "field";    ///< name of the field in messages
     bool overwrite = false;          ///< replace an existing file
     bool withGround = false;         ///< .glb only: the drawn ground beneath the blades
+    bool forEngines = false;         ///< .glb only: groups in rank order; ranks, colours, wind
     std::string generator = "Sward"; ///< name and version of the program, stored in the file
 };
 

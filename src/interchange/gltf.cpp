@@ -4,6 +4,8 @@
 #include "core/files/atomic_file.h"
 #include "interchange/blade_groups.h"
 #include "interchange/blade_mesh.h"
+#include "interchange/engine/drawn_look.h"
+#include "interchange/engine/engine_extras.h"
 #include "interchange/gltf_document.h"
 #include "interchange/gltf_ground.h"
 #include "interchange/instance_attributes.h"
@@ -48,9 +50,9 @@ std::size_t addBladeMesh(GltfDocument& document, const BladeMesh& mesh, const st
 }
 
 // Mesh and material of species i have index i.
-void addSpecies(GltfDocument& document, const field::FieldView& field)
+void addSpecies(GltfDocument& document, const field::FieldView& field,
+                const std::vector<MeanBlade>& means)
 {
-    const std::vector<MeanBlade> means = meanBlades(field);
     for (std::size_t s = 0; s < field.species.size(); ++s) {
         const field::Species& species = field.species[s];
         const BladeMesh mesh = bladeMesh(species, *field.defaults, means[s]);
@@ -65,25 +67,32 @@ void addSpecies(GltfDocument& document, const field::FieldView& field)
     }
 }
 
-// The instances of a group, by species.
+// The instances of a group, by species. `looks` are null unless they are for engines.
 std::vector<std::vector<Instance>> bySpecies(const field::FieldView& field, const BladeGroup& group,
-                                             const std::string& source)
+                                             const std::string& source, const DrawnLooks* looks)
 {
+    std::vector<Instance> instances = instancesOf(field, group, source);
+    if (looks != nullptr) {
+        orderByRank(instances);
+        for (Instance& instance : instances)
+            instance.look = looks->of(instance.blade);
+    }
     std::vector<std::vector<Instance>> result(field.species.size());
-    for (const Instance& instance : instancesOf(field, group, source))
+    for (const Instance& instance : instances)
         result[instance.blade.species].push_back(instance);
     return result;
 }
 
 // Adds the node for one species in one group; reserves its bytes.
 std::size_t addInstances(GltfDocument& document, const BladeGroup& group, const std::string& name,
-                         std::uint32_t species, std::span<const Instance> instances)
+                         std::uint32_t species, std::span<const Instance> instances,
+                         bool forEngines)
 {
     Aabb places;
     for (const Instance& instance : instances)
         places.add(instance.place);
     ordered_json attributes;
-    for (const InstanceAttribute& attribute : instanceAttributes()) {
+    for (const InstanceAttribute& attribute : instanceAttributes(forEngines)) {
         GltfAccessor accessor{.componentType = attribute.componentType,
                               .type = attribute.type,
                               .count = instances.size(),
@@ -102,23 +111,24 @@ std::size_t addInstances(GltfDocument& document, const BladeGroup& group, const 
 // Builds the JSON in a first pass over the blades.
 void describe(GltfDocument& document, const field::FieldView& field,
               const std::vector<BladeGroup>& groups, const ExportSettings& settings,
-              Progress& progress)
+              const DrawnLooks* looks, Progress& progress)
 {
-    addSpecies(document, field);
+    const std::vector<MeanBlade> means = meanBlades(field);
+    addSpecies(document, field, means);
     ordered_json children = ordered_json::array();
     if (settings.withGround)
-        if (const std::optional<std::size_t> ground = addGround(document, *field.ground))
+        if (const std::optional<std::size_t> ground = addGround(document, *field.ground, looks))
             children.push_back(*ground);
 
     if (!groups.empty())
         document.require(extension);
     for (std::size_t g = 0; g < groups.size(); ++g) {
-        const auto species = bySpecies(field, groups[g], settings.source);
+        const auto species = bySpecies(field, groups[g], settings.source, looks);
         for (std::uint32_t s = 0; s < species.size(); ++s)
             if (!species[s].empty())
                 children.push_back(addInstances(
                     document, groups[g], fmt::format("group {} {}", g, field.species[s].name), s,
-                    species[s]));
+                    species[s], looks != nullptr));
         progress.advance(groups[g].bladeCount);
     }
 
@@ -128,6 +138,8 @@ void describe(GltfDocument& document, const field::FieldView& field,
     if (!children.empty())
         root["children"] = std::move(children);
     root["extras"] = {{"origin_m", origin}, {"blades", field::rootedBlades(field)}};
+    if (looks != nullptr)
+        root["extras"]["sward"] = engineExtras(field, *looks, means);
     document.setScene(document.add("nodes", std::move(root)));
 }
 
@@ -138,7 +150,8 @@ void writeWords(AtomicFile& file, std::initializer_list<std::uint32_t> words)
 
 } // namespace
 
-void refuseLargeGlb(const std::filesystem::path& path, std::uint64_t blades, std::uint64_t bytes)
+void refuseLargeGlb(const std::filesystem::path& path, std::uint64_t blades, std::uint64_t bytes,
+                    std::uint64_t perBlade)
 {
     // Lengths in the file have 32 bits.
     constexpr std::uint64_t largest = std::numeric_limits<std::uint32_t>::max();
@@ -146,7 +159,7 @@ void refuseLargeGlb(const std::filesystem::path& path, std::uint64_t blades, std
         fail(ErrorKind::unsupported,
              "{}: {} blades need {} bytes, a .glb holds at most {} (some {} million blades); .ply "
              "and .usda have no such limit",
-             path.string(), blades, bytes, largest, largest / glbBytesPerBlade / 1'000'000);
+             path.string(), blades, bytes, largest, largest / perBlade / 1'000'000);
 }
 
 void writeGlb(const field::FieldView& field, const std::filesystem::path& path,
@@ -154,15 +167,19 @@ void writeGlb(const field::FieldView& field, const std::filesystem::path& path,
 {
     // Check the size of the blades before any work.
     const std::uint64_t blades = field.blades.size();
-    refuseLargeGlb(path, blades, headerBytes + blades * glbBytesPerBlade);
+    const std::uint64_t perBlade = settings.forEngines ? glbBytesPerEngineBlade : glbBytesPerBlade;
+    refuseLargeGlb(path, blades, headerBytes + blades * perBlade, perBlade);
 
     progress.begin("export", 2 * blades);
     const std::vector<BladeGroup> groups = groupBlades(field);
     GltfDocument document(settings.generator, *field.copyright);
-    describe(document, field, groups, settings, progress);
+    const std::optional<DrawnLooks> looks =
+        settings.forEngines ? std::optional<DrawnLooks>(field) : std::nullopt;
+    const DrawnLooks* const drawn = looks ? &*looks : nullptr;
+    describe(document, field, groups, settings, drawn, progress);
     const std::string text = document.text();
     const std::uint64_t bytes = headerBytes + text.size() + document.binaryBytes();
-    refuseLargeGlb(path, blades, bytes);
+    refuseLargeGlb(path, blades, bytes, perBlade);
 
     const auto word = [](std::uint64_t value) { return static_cast<std::uint32_t>(value); };
     AtomicFile file(path, settings.overwrite);
@@ -172,8 +189,9 @@ void writeGlb(const field::FieldView& field, const std::filesystem::path& path,
     writeWords(file, {word(document.binaryBytes()), 0x004e4942U /* BIN */});
     file.write(document.fixedBytes());
     for (const BladeGroup& group : groups) {
-        for (const std::vector<Instance>& instances : bySpecies(field, group, settings.source))
-            file.write(attributeBytes(instances));
+        for (const std::vector<Instance>& instances :
+             bySpecies(field, group, settings.source, drawn))
+            file.write(attributeBytes(instances, settings.forEngines));
         progress.advance(group.bladeCount);
     }
     file.commit();

@@ -1,11 +1,15 @@
 #include "interchange/gltf_ground.h"
 
 #include "core/error.h"
+#include "shaders/shared/cover.h"
 #include "shaders/shared/ground.h"
+#include "shaders/shared/look/blade_colors.h"
 
+#include <glm/common.hpp>
 #include <nlohmann/json.hpp>
 #include <stb/stb_image_write.h>
 
+#include <span>
 #include <vector>
 
 namespace sward::interchange {
@@ -47,8 +51,58 @@ std::size_t addMaterial(GltfDocument& document, const shared::GroundMaterial& ma
     return document.add("materials", std::move(entry));
 }
 
+// The sun at 53° over level ground stands for every sun.
+constexpr float meanSun = 0.8f;
+
+// Share of the light of the day that comes from the sun.
+constexpr float sunShare = 0.6f;
+
+// Share of the light that leaves pass on below a closed sward.
+constexpr float amongLeaves = 0.1f;
+
+// Colour of a vertex of bare colour `base` · `color` under grass, relative to `base`: undergrowth
+// and the shade of leaves, which engines without the field's leaf area cannot know. What lies
+// below an image keeps its colours.
+std::uint32_t colorUnderGrass(const shared::Cover& cover, const shared::GroundVertex& vertex,
+                              const shared::GroundMaterial& material)
+{
+    const auto channel = [&](unsigned shift) {
+        return float((vertex.color >> shift) & 255u) / 255.0f;
+    };
+    const glm::vec3 base = glm::max(glm::vec3(material.baseColor), glm::vec3(1e-3f));
+    glm::vec3 color(channel(0), channel(8), channel(16));
+    const glm::vec3 grass = shared::grassAt(cover, vertex.position);
+    if (material.image == shared::noImage)
+        color = shared::groundUnder(cover, base * color,
+                                    shared::meadowShade(vertex.position, shared::toneOf(grass)),
+                                    cover.thinned * grass.x) /
+                base;
+    const float open = shared::skyBelow(grass.x);
+    color *= sunShare * shared::sunBelow(shared::leafProjectionOf(cover), grass.x, meanSun) +
+             (1.0f - sunShare) * open + amongLeaves * (1.0f - open);
+    const glm::uvec3 bytes(255.0f * glm::clamp(color, 0.0f, 1.0f) + 0.5f);
+    return bytes.x | (bytes.y << 8u) | (bytes.z << 16u) | (vertex.color & 0xff000000u);
+}
+
+// The colours of all vertices, by the material of the finest triangles that they belong to.
+std::vector<std::uint32_t> colorsUnderGrass(const field::DisplayGround& ground,
+                                            const shared::Cover& cover)
+{
+    std::vector<std::uint32_t> colors;
+    for (const shared::GroundVertex& vertex : ground.vertices)
+        colors.push_back(vertex.color);
+    for (const field::GroundRange& range : ground.ranges)
+        if (range.level == 0)
+            for (const std::uint32_t v :
+                 std::span(ground.indices).subspan(range.firstIndex, range.indexCount))
+                colors[v] =
+                    colorUnderGrass(cover, ground.vertices[v], ground.materials[range.material]);
+    return colors;
+}
+
 // The vertices of all levels, as accessors that every primitive shares.
-ordered_json addVertices(GltfDocument& document, const field::DisplayGround& ground)
+ordered_json addVertices(GltfDocument& document, const field::DisplayGround& ground,
+                         const DrawnLooks* looks)
 {
     std::vector<glm::vec3> positions;
     std::vector<glm::vec3> normals;
@@ -62,6 +116,8 @@ ordered_json addVertices(GltfDocument& document, const field::DisplayGround& gro
         colors.push_back(vertex.color);
         bounds.add(vertex.position);
     }
+    if (looks != nullptr && looks->cover().countX > 0)
+        colors = colorsUnderGrass(ground, looks->cover());
     return {
         {"POSITION", document.addArray(std::span<const glm::vec3>(positions),
                                        {.type = "VEC3", .bounds = bounds}, gltfVertices)},
@@ -76,7 +132,8 @@ ordered_json addVertices(GltfDocument& document, const field::DisplayGround& gro
 
 } // namespace
 
-std::optional<std::size_t> addGround(GltfDocument& document, const field::DisplayGround& ground)
+std::optional<std::size_t> addGround(GltfDocument& document, const field::DisplayGround& ground,
+                                     const DrawnLooks* looks)
 {
     ordered_json primitives = ordered_json::array();
     ordered_json attributes;
@@ -86,7 +143,7 @@ std::optional<std::size_t> addGround(GltfDocument& document, const field::Displa
             continue;
         // Write the shared vertices before the first range.
         if (primitives.empty()) {
-            attributes = addVertices(document, ground);
+            attributes = addVertices(document, ground, looks);
             for (const field::Image& image : ground.images)
                 addImage(document, image);
             for (const shared::GroundMaterial& material : ground.materials)

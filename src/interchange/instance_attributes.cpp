@@ -1,6 +1,9 @@
 #include "interchange/instance_attributes.h"
 
+#include "core/math/srgb.h"
 #include "interchange/gltf.h"
+
+#include <glm/common.hpp>
 
 #include <array>
 #include <cmath>
@@ -83,6 +86,35 @@ void storeTint(const Instance& i, std::byte* to)
                               unsignedByteOf(i.blade.tint.z), 255});
 }
 
+void storeRank(const Instance& i, std::byte* to)
+{
+    put<float, 1>(to, {i.rank});
+}
+
+// A linear colour, coded as in images: 8 bits then suffice for dark ones.
+void storeColor(const glm::vec3& color, std::byte* to)
+{
+    const auto byte = [](float value) {
+        return unsignedByteOf(encodedOf(glm::clamp(value, 0.0f, 1.0f)));
+    };
+    put<std::uint8_t, 4>(to, {byte(color.x), byte(color.y), byte(color.z), 255});
+}
+
+void storeRootColor(const Instance& i, std::byte* to)
+{
+    storeColor(i.look.root, to);
+}
+
+void storeTipColor(const Instance& i, std::byte* to)
+{
+    storeColor(i.look.tip, to);
+}
+
+void storeLeafArea(const Instance& i, std::byte* to)
+{
+    put<float, 1>(to, {i.look.leafArea});
+}
+
 constexpr InstanceAttribute attributes[] = {
     {"TRANSLATION", "VEC3", floating, false, 12, storePlace},
     {"ROTATION", "VEC4", floating, false, 16, storeRotation},
@@ -95,29 +127,38 @@ constexpr InstanceAttribute attributes[] = {
     {"_CLUMP", "SCALAR", floating, false, 4, storeClump},
     {"_ROOT_ID", "VEC4", unsignedShort, false, 8, storeId},
     {"_TINT", "VEC4", unsignedByte, true, 4, storeTint},
+    {"_RANK", "SCALAR", floating, false, 4, storeRank},
+    {"_ROOT_COLOR", "VEC4", unsignedByte, true, 4, storeRootColor},
+    {"_TIP_COLOR", "VEC4", unsignedByte, true, 4, storeTipColor},
+    {"_LEAF_AREA", "SCALAR", floating, false, 4, storeLeafArea},
 };
 
-constexpr std::size_t bytesOfAll()
+// Attributes of every file; the others are for engines.
+constexpr std::size_t everyFile = 11;
+
+constexpr std::size_t bytesOf(std::span<const InstanceAttribute> list)
 {
     std::size_t sum = 0;
-    for (const InstanceAttribute& attribute : attributes)
+    for (const InstanceAttribute& attribute : list)
         sum += attribute.bytes;
     return sum;
 }
-static_assert(bytesOfAll() == glbBytesPerBlade);
+static_assert(bytesOf(std::span(attributes).first(everyFile)) == glbBytesPerBlade);
+static_assert(bytesOf(attributes) == glbBytesPerEngineBlade);
 
 } // namespace
 
-std::span<const InstanceAttribute> instanceAttributes()
+std::span<const InstanceAttribute> instanceAttributes(bool forEngines)
 {
-    return attributes;
+    return forEngines ? std::span(attributes) : std::span(attributes).first(everyFile);
 }
 
-std::vector<std::byte> attributeBytes(std::span<const Instance> instances)
+std::vector<std::byte> attributeBytes(std::span<const Instance> instances, bool forEngines)
 {
-    std::vector<std::byte> bytes(instances.size() * glbBytesPerBlade);
+    const std::span<const InstanceAttribute> list = instanceAttributes(forEngines);
+    std::vector<std::byte> bytes(instances.size() * bytesOf(list));
     std::byte* to = bytes.data();
-    for (const InstanceAttribute& attribute : attributes)
+    for (const InstanceAttribute& attribute : list)
         for (const Instance& instance : instances) {
             attribute.store(instance, to);
             to += attribute.bytes;

@@ -20,10 +20,11 @@ struct InstanceAttribute {
     void (*store)(const Instance& instance, std::byte* to);
 };
 
-/// All attributes in file order, TRANSLATION first.
-std::span<const InstanceAttribute> instanceAttributes();
+/// All attributes in file order, TRANSLATION first. `forEngines`: followed by rank, colours and
+/// leaf area.
+std::span<const InstanceAttribute> instanceAttributes(bool forEngines = false);
 
-/// The arrays of all attributes for `instances`, concatenated.
-std::vector<std::byte> attributeBytes(std::span<const Instance> instances);
+/// The arrays of all these attributes for `instances`, concatenated.
+std::vector<std::byte> attributeBytes(std::span<const Instance> instances, bool forEngines = false);
 
 } // namespace sward::interchange

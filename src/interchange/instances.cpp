@@ -3,6 +3,7 @@
 #include "core/error.h"
 #include "field/measure/blade_rotation.h"
 
+#include <algorithm>
 #include <cmath>
 
 namespace sward::interchange {
@@ -45,10 +46,19 @@ std::vector<Instance> instancesOf(const field::FieldView& field, const BladeGrou
                                      ? instance.blade.width
                                      : instance.blade.height;
             instance.scale = {across, instance.blade.height, instance.blade.height};
+            const float place =
+                (static_cast<float>(i - patch.firstBlade) + 0.5f) / float(patch.bladeCount);
+            instance.rank = patch.rankLow + (patch.rankHigh - patch.rankLow) * place;
+            instance.look = {};
             instances.push_back(instance);
         }
     }
     return instances;
+}
+
+void orderByRank(std::vector<Instance>& instances)
+{
+    std::ranges::stable_sort(instances, {}, &Instance::rank);
 }
 
 std::vector<MeanBlade> meanBlades(const field::FieldView& field)

@@ -3,6 +3,7 @@
 #include "field/field.h"
 #include "interchange/blade_groups.h"
 #include "interchange/blade_mesh.h"
+#include "interchange/engine/drawn_look.h"
 
 #include <glm/gtc/quaternion.hpp>
 
@@ -19,6 +20,8 @@ struct Instance {
     glm::vec3 place;    ///< [m] relative to the group
     glm::quat rotation; ///< field::bladeRotation()
     glm::vec3 scale;    ///< [m] width, height, height; of a compound plant thrice its height
+    float rank;         ///< [0, 1) in progressive order among the surrounding blades
+    DrawnLook look;     ///< only if asked for
 };
 
 /// Blade `index` of patch `patch`. Throws Error{input} naming `source` if one of its numbers is not
@@ -30,6 +33,10 @@ shared::Blade bladeOf(const field::FieldView& field, std::uint32_t patch, std::s
 /// does.
 std::vector<Instance> instancesOf(const field::FieldView& field, const BladeGroup& group,
                                   const std::string& source);
+
+/// Sorts by rank; of equal ranks the earlier instance stays first. Every prefix is then as evenly
+/// spread as the field's own blades below that rank.
+void orderByRank(std::vector<Instance>& instances);
 
 /// Means of each species' blades, ribbons left out; those of MeanBlade for a species without
 /// blades.

@@ -103,7 +103,7 @@ INSIDE = {
     "core": "math system files json",
     "shared": "look sow",
     "field": "file measure seeds",
-    "interchange": "usda",
+    "interchange": "engine usda",
     "gpu": "context recording memory pipeline device presentation",
     "render": "frame field edits streaming sowing host resident cull resolve raster tessellation preview viewer",
     "bake": "ground mask settings paint filter sample poisson patches blades plan tiles whole seeds session",

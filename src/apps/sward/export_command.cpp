@@ -31,7 +31,7 @@ using Writer = void (*)(const field::FieldView&, const std::filesystem::path&,
 struct Format {
     const char* extension;
     Writer write;
-    bool hasGround; // can include the drawn ground
+    bool hasGround; // can include the drawn ground, and what engines need
 };
 constexpr Format formats[] = {{".glb", interchange::writeGlb, true},
                               {".ply", interchange::writePly, false},
@@ -64,6 +64,9 @@ public:
             ->required();
         app().add_flag("--with-ground", settings_.withGround,
                        "Write the drawn ground too (.glb only)");
+        app().add_flag("--for-engines", settings_.forEngines,
+                       "Order the blades of each group by rank, so that any first part of them is "
+                       "evenly spread, and add ranks, drawn colours and wind (.glb only)");
         app().add_flag("--force", settings_.overwrite, "Overwrite an existing file");
         growth_.add(app(), "Of a field with seeds");
         log_.add(app());
@@ -77,6 +80,8 @@ public:
         const Format format = formatOf(output_);
         if (settings_.withGround && !format.hasGround)
             fail(ErrorKind::usage, "{}: --with-ground needs a .glb output", output_);
+        if (settings_.forEngines && !format.hasGround)
+            fail(ErrorKind::usage, "{}: --for-engines needs a .glb output", output_);
         checkOutput(output_, format.extension, {file_}, settings_.overwrite);
 
         requireField(file_);
