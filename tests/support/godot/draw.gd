@@ -1,0 +1,59 @@
+extends SceneTree
+## Draws a scene with a given camera and saves the picture: part of scripts/try-godot.
+##
+## godot --script draw.gd -- SCENE CAMERA.json OUT.png [wind=X] [thin=X] [time=X] [frames=N] [environment=SCENE]
+
+var _frames := 0
+var _last := 8
+var _out := ""
+var _times: PackedFloat64Array = []
+var _then := 0
+
+
+func _initialize() -> void:
+	var words := OS.get_cmdline_user_args()
+	var options := {}
+	for word in words.slice(3):
+		options[word.get_slice("=", 0)] = word.get_slice("=", 1)
+	_out = words[2]
+	_last = int(options.get("frames", "8"))
+	var began := Time.get_ticks_msec()
+	var field := (load(words[0]) as PackedScene).instantiate() as Node3D
+	print("opened: %.3f s" % ((Time.get_ticks_msec() - began) / 1000.0))
+	if options.has("wind"):
+		field.set("wind_strength", float(options.wind))
+	if options.has("thin"):
+		field.set("thin_below", float(options.thin))
+	if options.has("shadows"):
+		field.set("cast_shadows", options.shadows == "1")
+	root.add_child(field)
+	if options.has("environment"):
+		root.add_child((load(options.environment) as PackedScene).instantiate())
+	var view: Dictionary = JSON.parse_string(FileAccess.get_file_as_string(words[1]))
+	var camera := Camera3D.new()
+	camera.fov = view.fov_y_deg
+	camera.near = 0.05
+	camera.far = 4000.0
+	root.add_child(camera)
+	camera.look_at_from_position(_vector(view.eye), _vector(view.target), _vector(view.get("up", [0, 1, 0])))
+	camera.make_current()
+
+
+func _process(_delta: float) -> bool:
+	var now := Time.get_ticks_usec()
+	if _then > 0:
+		_times.append((now - _then) / 1e6)
+	_then = now
+	_frames += 1
+	if _frames < _last:
+		return false
+	var error := root.get_texture().get_image().save_png(_out)
+	if error != OK:
+		push_error("%s cannot be written: %s" % [_out, error_string(error)])
+	_times.sort()
+	print("frame: %.3f s" % _times[_times.size() / 2])
+	return true
+
+
+static func _vector(list: Array) -> Vector3:
+	return Vector3(list[0], list[1], list[2])
