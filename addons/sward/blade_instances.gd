@@ -36,7 +36,7 @@ func make(accessors: Accessors, attributes: Dictionary, root_color: Color, tip_c
 		count = maxi(count, accessors.count(int(attributes[name])))
 	for name: String in attributes:
 		var own := accessors.count(int(attributes[name]))
-		if own != count and fault.is_empty():
+		if own != count and fault.is_empty() and accessors.fault.is_empty():
 			fault = "%s has %d elements, other attributes have %d" % [name, own, count]
 	var places := _numbers(accessors, attributes, "TRANSLATION", [0.0, 0.0, 0.0])
 	var turns := _numbers(accessors, attributes, "ROTATION", [0.0, 0.0, 0.0, 1.0])

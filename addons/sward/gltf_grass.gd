@@ -16,6 +16,8 @@ const NAME := "EXT_mesh_gpu_instancing"
 const VERSION := 1
 ## Extensions of other nodes and buffers that would have to be decoded.
 const NOT_READ := ["EXT_meshopt_compression", "KHR_meshopt_compression", "KHR_mesh_quantization", "KHR_draco_mesh_compression"]
+## Key of what is set for a file that is refused before it is parsed.
+const REFUSED := "sward_refused"
 ## Beyond this distance of the origin [m] single precision shows steps of 1 mm.
 const FARTHEST := 8192.0
 
@@ -29,20 +31,20 @@ func _import_preflight(state: GLTFState, extensions: PackedStringArray) -> Error
 		return ERR_SKIP
 	for name: String in NOT_READ:
 		if extensions.has(name):
-			_fail(state, "uses %s, which is not read together with %s; write the file without it" % [name, NAME])
-			return ERR_UNAVAILABLE
+			_refuse(state, "uses %s, which is not read together with %s; write the file without it" % [name, NAME])
 	var extras := _extras(state)
 	if extras.is_empty() and str(state.json.get("asset", {}).get("generator", "")).begins_with("sward"):
 		push_warning("Sward: %s: was exported without --for-engines: it has no wind and no level of detail" % _name(state))
 	var version: Variant = extras.get("version", VERSION)
 	if not (version is float or version is int) or int(version) > VERSION:
-		_fail(state, "extras.sward has version %s, this add-on reads up to %d; take the add-on of that Sward" % [version, VERSION])
-		return ERR_UNAVAILABLE
+		_refuse(state, "extras.sward has version %s, this add-on reads up to %d; take the add-on of that Sward" % [str(version).trim_suffix(".0"), VERSION])
 	return OK
 
 
 func _import_post_parse(state: GLTFState) -> Error:
 	# Make all instances here: only now an error ends the import.
+	if state.get_additional_data(REFUSED) != null:
+		return ERR_UNAVAILABLE
 	var accessors := Accessors.new(state.json, state.buffers)
 	var kinds := _kinds(state)
 	var made := {}
@@ -196,8 +198,18 @@ static func _color(list: Variant, otherwise: Color) -> Color:
 	return Color(v.x, v.y, v.z)
 
 
+# The file's path; Godot tells it without its ending.
 static func _name(state: GLTFState) -> String:
-	return state.base_path.path_join(state.filename) if not state.filename.is_empty() else state.base_path
+	var path := state.base_path.path_join(state.filename)
+	for ending: String in [".glb", ".gltf"]:
+		if FileAccess.file_exists(path + ending):
+			return path + ending
+	return path
+
+
+static func _refuse(state: GLTFState, text: String) -> void:
+	_fail(state, text)
+	state.set_additional_data(REFUSED, true)
 
 
 static func _fail(state: GLTFState, text: String) -> void:
