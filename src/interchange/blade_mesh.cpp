@@ -46,6 +46,8 @@ struct Strip {
     glm::vec3 v0, v1, v2;
     glm::vec3 axis; // unit
     float width;
+    float ridge; // width in the unit of heights, for what stands out of the ribbon
+    float side;  // the same of normals: what a scale divides them by across, relative to along
 };
 
 // Appends a ribbon in the colours of `look`; mesh.baseColor must be set.
@@ -63,9 +65,10 @@ void append(BladeMesh& mesh, const Strip& strip, const shared::Species& look)
         const glm::vec3 tangent =
             glm::normalize(glm::dot(speed, speed) > 1e-12f ? speed : strip.v1 - strip.v0);
         const glm::vec3 normal = glm::cross(strip.axis, tangent);
-        mesh.positions.push_back(centre + strip.width * (x * strip.axis + ridge * normal));
+        mesh.positions.push_back(centre + strip.width * x * strip.axis +
+                                 strip.ridge * ridge * normal);
         const float side = x > 0.0f ? 1.0f : x < 0.0f ? -1.0f : 0.0f;
-        mesh.normals.push_back(glm::normalize(normal + look.fold * side * strip.axis));
+        mesh.normals.push_back(glm::normalize(normal + look.fold * side * strip.side * strip.axis));
         mesh.uvs.emplace_back(x + 0.5f, along);
         const glm::vec3 color =
             glm::mix(look.rootColor, look.tipColor, glm::smoothstep(-0.15f, 0.8f, along));
@@ -109,8 +112,11 @@ BladeMesh bladeMesh(const field::Species& species, const field::Defaults& defaul
     for (const field::Organ& organ : species.organs)
         mesh.baseColor =
             glm::max(mesh.baseColor, glm::max(organ.look.rootColor, organ.look.tipColor));
-    const float width = species.organs.empty() ? 1.0f : mean.slenderness;
-    append(mesh, {glm::vec3(0.0f), pose.v1, pose.v2, glm::vec3(1.0f, 0.0f, 0.0f), width},
+    // The instances of a blade are scaled by its width across, and by its height otherwise.
+    const bool isBlade = species.organs.empty();
+    append(mesh,
+           {glm::vec3(0.0f), pose.v1, pose.v2, glm::vec3(1.0f, 0.0f, 0.0f),
+            isBlade ? 1.0f : mean.slenderness, mean.slenderness, isBlade ? mean.slenderness : 1.0f},
            species.look);
 
     // The plant's frame is that of field::bladeRotation(): its width axis points to −X.
@@ -125,10 +131,9 @@ BladeMesh bladeMesh(const field::Species& species, const field::Defaults& defaul
         const shared::Organ device = field::deviceOrgan(organ);
         for (std::uint32_t i = 0; i < organ.count; ++i, ++number) {
             const shared::PosedBlade ribbon = shared::posedRibbon(stalk, device, number, i);
-            append(
-                mesh,
-                {ribbon.v0, ribbon.v1, ribbon.v2, ribbon.axis, organ.width * ribbon.blade.height},
-                organ.look);
+            const float width = organ.width * ribbon.blade.height;
+            append(mesh, {ribbon.v0, ribbon.v1, ribbon.v2, ribbon.axis, width, width, 1.0f},
+                   organ.look);
         }
     }
     return mesh;

@@ -63,6 +63,23 @@ TEST(BladeMesh, NarrowsFromTheSpeciesThreshold)
         EXPECT_FLOAT_EQ(mesh.positions[2 * row + 1].x - mesh.positions[2 * row].x, widths[row]);
 }
 
+// The scale of an instance is (width, height, height).
+TEST(BladeMesh, OfAFoldedSpeciesHasItsRidgeInWidths)
+{
+    field::Species folded = species();
+    folded.look.fold = 0.8f;
+    const MeanBlade mean{.stiffness = 1.0f, .slenderness = 0.02f};
+    const BladeMesh mesh = bladeMesh(folded, {}, mean);
+    const glm::vec3 scale(mean.slenderness, 1.0f, 1.0f);
+    const glm::vec3 left = scale * mesh.positions[0];
+    const glm::vec3 ridge = scale * mesh.positions[1];
+    const glm::vec3 right = scale * mesh.positions[2];
+    EXPECT_NEAR(glm::distance(ridge, 0.5f * (left + right)), 0.5f * 0.8f * mean.slenderness, 1e-6f);
+    // Normals are divided by the scale: those of the halves are then across their own half.
+    const glm::vec3 normal = glm::normalize(mesh.normals[2] / scale);
+    EXPECT_NEAR(normal.x, 0.8f / std::sqrt(1.0f + 0.8f * 0.8f), 1e-3f);
+}
+
 TEST(BladeMesh, HasUnitNormalsOnTheSideOfItsTriangles)
 {
     for (const float stiffness : stiffnesses) {
