@@ -49,7 +49,10 @@ extends Node3D
 		thin_below = value
 		_tell("thin_below", value)
 ## Distance beyond which no blade is drawn. 0: unlimited.
-@export_range(0.0, 2000.0, 0.1, "or_greater", "suffix:m") var draw_distance := 0.0
+@export_range(0.0, 2000.0, 0.1, "or_greater", "suffix:m") var draw_distance := 0.0:
+	set(value):
+		draw_distance = value
+		_tell("draw_distance", value if value > 0.0 else 1e9)
 
 @export_group("Shadows")
 ## Whether blades cast shadows. They always darken one another by a formula, which costs nothing; shadows of their own
@@ -167,7 +170,7 @@ func _process(_delta: float) -> void:
 		_last_pixels = pixels
 		_tell("eye", eye)
 		_tell("pixels_per_metre", pixels)
-		_tell("draw_distance", draw_distance if draw_distance > 0.0 else 1e9)
+		_tell("is_parallel", camera.projection == Camera3D.PROJECTION_ORTHOGONAL)
 	_thin(camera, eye, pixels)
 
 
@@ -249,6 +252,7 @@ func _tell_all() -> void:
 	_tell("gust_size", gust_size)
 	_tell("gustiness", gustiness)
 	_tell("thin_below", thin_below)
+	_tell("draw_distance", draw_distance if draw_distance > 0.0 else 1e9)
 	_tell_place()
 
 
