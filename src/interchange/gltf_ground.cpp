@@ -37,9 +37,22 @@ void addImage(GltfDocument& document, const field::Image& image)
     document.add("textures", {{"source", source}});
 }
 
-std::size_t addMaterial(GltfDocument& document, const shared::GroundMaterial& material)
+// The base colour of a material. Vertex colours are at most 1: under grass it is that of
+// undergrowth where that is lighter, also where it varies.
+glm::vec3 baseOf(const shared::GroundMaterial& material, const shared::Cover* cover)
 {
-    const glm::vec4 color = glm::clamp(material.baseColor, 0.0f, 1.0f);
+    glm::vec3 color(material.baseColor);
+    if (cover != nullptr && material.image == shared::noImage)
+        color = glm::max(color, 1.5f * cover->undergrowth);
+    return glm::clamp(color, 1e-3f, 1.0f);
+}
+
+std::size_t addMaterial(GltfDocument& document, const shared::GroundMaterial& material,
+                        const shared::Cover* cover)
+{
+    const glm::vec4 color(cover != nullptr ? baseOf(material, cover)
+                                           : glm::clamp(glm::vec3(material.baseColor), 0.0f, 1.0f),
+                          glm::clamp(material.baseColor.w, 0.0f, 1.0f));
     ordered_json pbr = {{"baseColorFactor", {color.x, color.y, color.z, color.w}},
                         {"metallicFactor", material.metallic},
                         {"roughnessFactor", material.roughness}};
@@ -60,23 +73,22 @@ constexpr float sunShare = 0.6f;
 // Share of the light that leaves pass on below a closed sward.
 constexpr float amongLeaves = 0.1f;
 
-// Colour of a vertex of bare colour `base` · `color` under grass, relative to `base`: undergrowth
-// and the shade of leaves, which engines without the field's leaf area cannot know. What lies
-// below an image keeps its colours.
+// Colour of a vertex under grass, relative to baseOf() its material: undergrowth and the shade of
+// leaves, which engines without the field's leaf area cannot know. What lies below an image keeps
+// its colours.
 std::uint32_t colorUnderGrass(const shared::Cover& cover, const shared::GroundVertex& vertex,
                               const shared::GroundMaterial& material)
 {
     const auto channel = [&](unsigned shift) {
         return float((vertex.color >> shift) & 255u) / 255.0f;
     };
-    const glm::vec3 base = glm::max(glm::vec3(material.baseColor), glm::vec3(1e-3f));
     glm::vec3 color(channel(0), channel(8), channel(16));
     const glm::vec3 grass = shared::grassAt(cover, vertex.position);
     if (material.image == shared::noImage)
-        color = shared::groundUnder(cover, base * color,
+        color = shared::groundUnder(cover, glm::vec3(material.baseColor) * color,
                                     shared::meadowShade(vertex.position, shared::toneOf(grass)),
                                     cover.thinned * grass.x) /
-                base;
+                baseOf(material, &cover);
     const float open = shared::skyBelow(grass.x);
     color *= sunShare * shared::sunBelow(shared::leafProjectionOf(cover), grass.x, meanSun) +
              (1.0f - sunShare) * open + amongLeaves * (1.0f - open);
@@ -102,7 +114,7 @@ std::vector<std::uint32_t> colorsUnderGrass(const field::DisplayGround& ground,
 
 // The vertices of all levels, as accessors that every primitive shares.
 ordered_json addVertices(GltfDocument& document, const field::DisplayGround& ground,
-                         const DrawnLooks* looks)
+                         const shared::Cover* cover)
 {
     std::vector<glm::vec3> positions;
     std::vector<glm::vec3> normals;
@@ -116,8 +128,8 @@ ordered_json addVertices(GltfDocument& document, const field::DisplayGround& gro
         colors.push_back(vertex.color);
         bounds.add(vertex.position);
     }
-    if (looks != nullptr && looks->cover().countX > 0)
-        colors = colorsUnderGrass(ground, looks->cover());
+    if (cover != nullptr)
+        colors = colorsUnderGrass(ground, *cover);
     return {
         {"POSITION", document.addArray(std::span<const glm::vec3>(positions),
                                        {.type = "VEC3", .bounds = bounds}, gltfVertices)},
@@ -135,6 +147,10 @@ ordered_json addVertices(GltfDocument& document, const field::DisplayGround& gro
 std::optional<std::size_t> addGround(GltfDocument& document, const field::DisplayGround& ground,
                                      const DrawnLooks* looks)
 {
+    shared::Cover cover = {};
+    if (looks != nullptr)
+        cover = looks->cover();
+    const shared::Cover* const grass = cover.countX > 0 ? &cover : nullptr;
     ordered_json primitives = ordered_json::array();
     ordered_json attributes;
     std::vector<std::size_t> materials;
@@ -143,11 +159,11 @@ std::optional<std::size_t> addGround(GltfDocument& document, const field::Displa
             continue;
         // Write the shared vertices before the first range.
         if (primitives.empty()) {
-            attributes = addVertices(document, ground, looks);
+            attributes = addVertices(document, ground, grass);
             for (const field::Image& image : ground.images)
                 addImage(document, image);
             for (const shared::GroundMaterial& material : ground.materials)
-                materials.push_back(addMaterial(document, material));
+                materials.push_back(addMaterial(document, material, grass));
         }
         const auto indices = std::span(ground.indices).subspan(range.firstIndex, range.indexCount);
         primitives.push_back(

@@ -122,7 +122,9 @@ class EngineExport(ExportTest):
         for options in (("--with-ground",), ("--with-ground", "--for-engines")):
             glb = self.glb(field, "b.glb", *options)
             (mesh,) = [mesh for mesh in glb.json["meshes"] if mesh["name"] == "ground"]
-            brightness.append(glb.numbers(mesh["primitives"][0]["attributes"]["COLOR_0"])[:, :3].mean())
+            (primitive,) = mesh["primitives"]
+            base = glb.json["materials"][primitive["material"]]["pbrMetallicRoughness"]["baseColorFactor"][:3]
+            brightness.append((glb.numbers(primitive["attributes"]["COLOR_0"])[:, :3] * base).mean())
         self.assertLess(brightness[1], 0.6 * brightness[0])
 
     def test_other_formats_have_no_place_for_it(self):

@@ -3,8 +3,11 @@ what its files say. `scripts/try-godot` runs the add-on itself."""
 
 import configparser
 import re
+import subprocess
 import sys
+import tempfile
 import unittest
+import zipfile
 from pathlib import Path
 
 import numpy
@@ -168,6 +171,23 @@ class AddonFiles(unittest.TestCase):
             set_here = re.findall(r'set_shader_parameter\("(\w+)"|_tell\("(\w+)"|^\t\t"(\w+)":', text_of(file), re.M)
             for name in {name for names in set_here for name in names if name}:
                 self.assertRegex(shader, rf"uniform \w+ {name}\b", f"{file} sets {name}")
+
+    def test_the_zip_has_the_same_bytes_twice_and_all_files_in_their_place(self):
+        with tempfile.TemporaryDirectory() as folder:
+            packed = []
+            for name in ("a.zip", "b.zip"):
+                subprocess.run([ROOT / "scripts/godot-addon", "-o", Path(folder, name)], check=True, capture_output=True)
+                packed.append(Path(folder, name).read_bytes())
+            self.assertEqual(*packed)
+            names = zipfile.ZipFile(Path(folder, "a.zip")).namelist()
+            self.assertEqual({str(Path(*Path(name).parts[:2])) for name in names}, {"addons/sward"})
+            self.assertIn("addons/sward/LICENSE", names)
+            for path in ADDON.glob("*.gd"):
+                self.assertIn(f"addons/sward/{path.name}", names)
+            # Into a project: the same files.
+            Path(folder, "project.godot").touch()
+            subprocess.run([ROOT / "scripts/godot-addon", "--into", folder], check=True, capture_output=True)
+            self.assertEqual(sorted(names), sorted(str(path.relative_to(folder)) for path in Path(folder, "addons").rglob("*") if path.is_file()))
 
     def test_nothing_is_newer_than_godot_4_4(self):
         for path in ADDON.glob("*.gd"):

@@ -1,11 +1,14 @@
 extends SceneTree
 ## Draws a scene with a given camera and saves the picture: part of scripts/try-godot.
 ##
-## godot --script draw.gd -- SCENE CAMERA.json OUT.png [wind=X] [thin=X] [time=X] [frames=N] [environment=SCENE]
+## godot --script draw.gd -- SCENE CAMERA.json OUT.png [wind=X] [thin=X] [shadows=1] [frames=N] [environment=SCENE]
+##     [bare=OUT.png]: first a picture without blades
 
 var _frames := 0
 var _last := 8
 var _out := ""
+var _bare := ""
+var _grass: Array[Node] = []
 var _times: PackedFloat64Array = []
 var _then := 0
 
@@ -27,6 +30,9 @@ func _initialize() -> void:
 	if options.has("shadows"):
 		field.set("cast_shadows", options.shadows == "1")
 	root.add_child(field)
+	_bare = options.get("bare", "")
+	_grass = field.find_children("*", "MultiMeshInstance3D", true, false)
+	_show_grass(_bare.is_empty())
 	if options.has("environment"):
 		root.add_child((load(options.environment) as PackedScene).instantiate())
 	var view: Dictionary = JSON.parse_string(FileAccess.get_file_as_string(words[1]))
@@ -47,12 +53,27 @@ func _process(_delta: float) -> bool:
 	_frames += 1
 	if _frames < _last:
 		return false
-	var error := root.get_texture().get_image().save_png(_out)
-	if error != OK:
-		push_error("%s cannot be written: %s" % [_out, error_string(error)])
+	if not _bare.is_empty():
+		_save(_bare)
+		_bare = ""
+		_frames = 0
+		_show_grass(true)
+		return false
+	_save(_out)
 	_times.sort()
 	print("frame: %.3f s" % _times[_times.size() / 2])
 	return true
+
+
+func _show_grass(is_shown: bool) -> void:
+	for node: Node3D in _grass:
+		node.visible = is_shown
+
+
+func _save(path: String) -> void:
+	var error := root.get_texture().get_image().save_png(path)
+	if error != OK:
+		push_error("%s cannot be written: %s" % [path, error_string(error)])
 
 
 static func _vector(list: Array) -> Vector3:
