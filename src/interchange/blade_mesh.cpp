@@ -7,6 +7,8 @@
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
 
+#include <algorithm>
+
 namespace sward::interchange {
 namespace {
 
@@ -32,11 +34,13 @@ shared::Pose restPose(const field::Defaults& defaults, float stiffness)
 
 } // namespace
 
-std::uint32_t bladeSegments(std::uint32_t shape)
+std::uint32_t bladeSegments(std::uint32_t shape, BladeDetail detail)
 {
-    return shape == shared::shapeDandelion
-               ? static_cast<std::uint32_t>(shared::dandelionLobes * shared::segmentsPerLobe)
-               : 4;
+    const bool isCoarse = detail == BladeDetail::coarse;
+    if (shape == shared::shapeDandelion)
+        return static_cast<std::uint32_t>(shared::dandelionLobes *
+                                          (isCoarse ? 1 : shared::segmentsPerLobe));
+    return isCoarse ? coarseSegments : 4;
 }
 
 namespace {
@@ -51,8 +55,10 @@ struct Strip {
 };
 
 // Appends a ribbon in the colours of `look`; mesh.baseColor must be set.
-void append(BladeMesh& mesh, const Strip& strip, const shared::Species& look)
+void append(BladeMesh& mesh, const Strip& strip, const shared::Species& look, BladeDetail detail)
 {
+    mesh.largestBend =
+        std::max(mesh.largestBend, glm::length(strip.v0 - 2.0f * strip.v1 + strip.v2));
     // A channel that is 0 at both ends stays 0.
     const glm::vec3 divisor = glm::max(mesh.baseColor, glm::vec3(1e-6f));
     const auto first = static_cast<std::uint32_t>(mesh.positions.size());
@@ -74,9 +80,9 @@ void append(BladeMesh& mesh, const Strip& strip, const shared::Species& look)
             glm::mix(look.rootColor, look.tipColor, glm::smoothstep(-0.15f, 0.8f, along));
         mesh.colors.push_back(glm::clamp(color / divisor, 0.0f, 1.0f));
     };
-    const bool isFolded = look.fold > 0.0f;
+    const bool isFolded = look.fold > 0.0f && detail == BladeDetail::full;
     const std::uint32_t columns = isFolded ? 3 : 2;
-    const std::uint32_t segments = bladeSegments(look.shape);
+    const std::uint32_t segments = bladeSegments(look.shape, detail);
     for (std::uint32_t row = 0; row <= segments; ++row) {
         const float along = float(row) / float(segments);
         const glm::vec2 edges = shared::outlineAt(look.shape, look.tipThreshold, along);
@@ -104,7 +110,7 @@ void append(BladeMesh& mesh, const Strip& strip, const shared::Species& look)
 } // namespace
 
 BladeMesh bladeMesh(const field::Species& species, const field::Defaults& defaults,
-                    const MeanBlade& mean)
+                    const MeanBlade& mean, BladeDetail detail)
 {
     const shared::Pose pose = restPose(defaults, mean.stiffness);
     BladeMesh mesh;
@@ -117,7 +123,7 @@ BladeMesh bladeMesh(const field::Species& species, const field::Defaults& defaul
     append(mesh,
            {glm::vec3(0.0f), pose.v1, pose.v2, glm::vec3(1.0f, 0.0f, 0.0f),
             isBlade ? 1.0f : mean.slenderness, mean.slenderness, isBlade ? mean.slenderness : 1.0f},
-           species.look);
+           species.look, detail);
 
     // The plant's frame is that of field::bladeRotation(): its width axis points to −X.
     shared::PosedBlade stalk = {};
@@ -133,7 +139,7 @@ BladeMesh bladeMesh(const field::Species& species, const field::Defaults& defaul
             const shared::PosedBlade ribbon = shared::posedRibbon(stalk, device, number, i);
             const float width = organ.width * ribbon.blade.height;
             append(mesh, {ribbon.v0, ribbon.v1, ribbon.v2, ribbon.axis, width, width, 1.0f},
-                   organ.look);
+                   organ.look, detail);
         }
     }
     return mesh;

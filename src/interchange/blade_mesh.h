@@ -27,15 +27,26 @@ struct BladeMesh {
     std::vector<glm::vec3> colors;      ///< linear, [0, 1], to be multiplied by `baseColor`
     glm::vec3 baseColor{1.0f};          ///< linear: the larger of root and tip colour per channel
     std::vector<std::uint32_t> indices; ///< triangles, counter-clockwise seen from +Z
+    float largestBend = 0.0f; ///< largest |v0 − 2 v1 + v2| of its ribbons: L chords differ from a
+                              ///< curve by at most a quarter of this over L²
 };
 
+/// How finely a blade is meshed.
+enum class BladeDetail {
+    full,  ///< as exports show it near the eye
+    coarse ///< coarseSegments, without a ridge
+};
+
+/// Rows of quads of a coarse blade; a dandelion's have a lobe each.
+inline constexpr std::uint32_t coarseSegments = 2;
+
 /// Rows of quads for a blade shape.
-std::uint32_t bladeSegments(std::uint32_t shape);
+std::uint32_t bladeSegments(std::uint32_t shape, BladeDetail detail = BladeDetail::full);
 
 /// The mesh of `species` for a resting blade on level ground: no wind, gravity and recovery from
 /// the field's defaults, outline and fold from the species. Ribbons of a plant are those of a plant
 /// with hash and facing 0; others vary by Organ::variation.
 BladeMesh bladeMesh(const field::Species& species, const field::Defaults& defaults,
-                    const MeanBlade& mean);
+                    const MeanBlade& mean, BladeDetail detail = BladeDetail::full);
 
 } // namespace sward::interchange

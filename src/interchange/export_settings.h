@@ -6,10 +6,13 @@ namespace sward::interchange {
 
 /// Settings of every export, besides field and file name.
 struct ExportSettings {
-    std::string source = "field";    ///< name of the field in messages
-    bool overwrite = false;          ///< replace an existing file
-    bool withGround = false;         ///< .glb only: the drawn ground beneath the blades
-    bool forEngines = false;         ///< .glb only: groups in rank order; ranks, colours, wind
+    std::string source = "field"; ///< name of the field in messages
+    bool overwrite = false;       ///< replace an existing file
+    bool withGround = false;      ///< .glb only: the drawn ground beneath the blades
+    bool forEngines = false;      ///< .glb only: groups in rank order; ranks, colours, wind
+    bool compact = false;         ///< .glb, .usda: fewer bytes, with stated errors
+    bool withIds = false;         ///< of compact exports: ids of the blades too
+    std::string meshoptExtension = "EXT_meshopt_compression"; ///< or KHR_meshopt_compression
     std::string generator = "Sward"; ///< name and version of the program, stored in the file
 };
 

@@ -56,12 +56,36 @@ std::size_t GltfDocument::reserveView(std::uint64_t bytes)
     return placeView(bytes, 0);
 }
 
+std::size_t GltfDocument::reserveCompressedView(const CompressedView& view,
+                                                const std::string& extension)
+{
+    const std::uint64_t decoded = view.count * view.stride;
+    ordered_json compression = {{"buffer", 0},
+                                {"byteOffset", binaryBytes_},
+                                {"byteLength", view.stored},
+                                {"byteStride", view.stride},
+                                {"count", view.count},
+                                {"mode", "ATTRIBUTES"}};
+    if (view.filter != "NONE")
+        compression["filter"] = view.filter;
+    ordered_json entry = {{"buffer", 1},
+                          {"byteOffset", decodedBytes_},
+                          {"byteLength", decoded},
+                          {"extensions", {{extension, std::move(compression)}}}};
+    binaryBytes_ += aligned(view.stored);
+    decodedBytes_ += aligned(decoded);
+    compressionExtension_ = extension;
+    return add("bufferViews", std::move(entry));
+}
+
 std::size_t GltfDocument::addAccessor(const GltfAccessor& accessor)
 {
     ordered_json entry = {{"bufferView", accessor.view},
                           {"componentType", accessor.componentType},
                           {"count", accessor.count},
                           {"type", accessor.type}};
+    if (accessor.offset != 0)
+        entry["byteOffset"] = accessor.offset;
     if (accessor.normalized)
         entry["normalized"] = true;
     if (accessor.bounds) {
@@ -78,7 +102,7 @@ std::size_t GltfDocument::add(const char* name, ordered_json element)
     return list.size() - 1;
 }
 
-void GltfDocument::require(const char* extension)
+void GltfDocument::require(const std::string& extension)
 {
     add("extensionsUsed", extension);
     add("extensionsRequired", extension);
@@ -94,6 +118,10 @@ std::string GltfDocument::text() const
 {
     ordered_json whole = *json_;
     whole["buffers"] = ordered_json::array({{{"byteLength", binaryBytes_}}});
+    if (decodedBytes_ > 0)
+        whole["buffers"].push_back(
+            {{"byteLength", decodedBytes_},
+             {"extensions", {{compressionExtension_, {{"fallback", true}}}}}});
     std::string text = jsonText(whole);
     text.resize(aligned(text.size()), ' ');
     return text;

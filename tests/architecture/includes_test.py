@@ -41,7 +41,7 @@ MAY_USE = {
     "terrain": "core fmt glm nlohmann xxhash openmesh embree tinygltf tbb stb png openexr "
                "draco meshoptimizer gdal intrinsics",
     "field": "core shared fmt glm nlohmann xxhash zstd stb",
-    "interchange": "core shared field fmt glm nlohmann stb",
+    "interchange": "core shared field fmt glm meshoptimizer nlohmann stb",
     "trace": "core shared field fmt glm embree tbb",
     "bake": "core shared terrain field fmt glm nlohmann tbb meshoptimizer",
     "gpu": "core fmt glm vulkan",
@@ -103,7 +103,7 @@ INSIDE = {
     "core": "math system files json",
     "shared": "look sow",
     "field": "file measure seeds",
-    "interchange": "engine usda",
+    "interchange": "engine usda gltf compact",
     "gpu": "context recording memory pipeline device presentation",
     "render": "frame field edits streaming sowing host resident cull resolve raster tessellation preview viewer",
     "bake": "ground mask settings paint filter sample poisson patches blades plan tiles whole seeds session",

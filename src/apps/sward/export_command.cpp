@@ -32,11 +32,12 @@ struct Format {
     const char* extension;
     Writer write;
     bool hasGround; // can include the drawn ground, and what engines need
+    bool isCompact; // has a compact form
 };
-constexpr Format formats[] = {{".glb", interchange::writeGlb, true},
-                              {".ply", interchange::writePly, false},
-                              {".usda", interchange::writeUsda, false},
-                              {".csv", interchange::writeCsv, false}};
+constexpr Format formats[] = {{".glb", interchange::writeGlb, true, true},
+                              {".ply", interchange::writePly, false, false},
+                              {".usda", interchange::writeUsda, false, true},
+                              {".csv", interchange::writeCsv, false, false}};
 
 const Format& formatOf(const std::filesystem::path& path)
 {
@@ -67,6 +68,14 @@ public:
         app().add_flag("--for-engines", settings_.forEngines,
                        "Order the blades of each group by rank, so that any first part of them is "
                        "evenly spread, and add ranks, drawn colours and wind (.glb only)");
+        app().add_flag("--compact", settings_.compact,
+                       "Take few bytes for a blade, with small errors (.glb and .usda only)");
+        app().add_flag("--with-ids", settings_.withIds, "With --compact, write ids of blades too");
+        app()
+            .add_option("--meshopt", meshopt_,
+                        "Name of the compression in a compact .glb: EXT or KHR, the newer one")
+            ->type_name("NAME")
+            ->check(CLI::IsMember({"EXT", "KHR"}).description(""));
         app().add_flag("--force", settings_.overwrite, "Overwrite an existing file");
         growth_.add(app(), "Of a field with seeds");
         log_.add(app());
@@ -82,12 +91,15 @@ public:
             fail(ErrorKind::usage, "{}: --with-ground needs a .glb output", output_);
         if (settings_.forEngines && !format.hasGround)
             fail(ErrorKind::usage, "{}: --for-engines needs a .glb output", output_);
+        checkCompact(format);
         checkOutput(output_, format.extension, {file_}, settings_.overwrite);
 
         requireField(file_);
         const field::MappedField field = field::readField(file_);
         interchange::ExportSettings settings = settings_;
         settings.source = file_;
+        if (!meshopt_.empty())
+            settings.meshoptExtension = meshopt_ + "_meshopt_compression";
         settings.generator = versionText("sward");
         ProgressBar bar(log_.showBar());
         Progress progress(bar.callback());
@@ -103,8 +115,24 @@ public:
     }
 
 private:
+    void checkCompact(const Format& format) const
+    {
+        if (settings_.compact && !format.isCompact)
+            fail(ErrorKind::usage, "{}: --compact needs a .glb or .usda output", output_);
+        if (settings_.compact && settings_.forEngines)
+            fail(ErrorKind::usage,
+                 "{}: --for-engines has all attributes in rank order and cannot be --compact",
+                 output_);
+        if (settings_.withIds && !settings_.compact)
+            fail(ErrorKind::usage, "{}: --with-ids needs --compact; other exports have ids",
+                 output_);
+        if (!meshopt_.empty() && !(settings_.compact && format.hasGround))
+            fail(ErrorKind::usage, "{}: --meshopt needs --compact and a .glb output", output_);
+    }
+
     std::string file_;
     std::string output_;
+    std::string meshopt_;
     interchange::ExportSettings settings_;
     GrowthOptions growth_;
     LogSwitches log_;

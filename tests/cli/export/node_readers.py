@@ -91,6 +91,23 @@ def three_instances(path):
     return numpy.frombuffer(done.stdout, "<f8").reshape(-1, 17)
 
 
+def three_load_time(path):
+    """Time in which three.js parses a .glb in memory [s]: decoding, and matrices of instances."""
+    done = subprocess.run(["node", str(RECIPE / "read_instances.mjs"), str(modules()), str(path)],
+                          stdout=subprocess.DEVNULL, stderr=subprocess.PIPE, text=True, check=True)
+    return float(done.stderr.split()[-2]) / 1000.0
+
+
+def unpacked(path):
+    """A compact .glb without compression, decoded by meshoptimizer's decoder for JavaScript [bytes]. Fails if
+    the file breaks a rule of the extension."""
+    done = subprocess.run(["node", str(RECIPE / "unpack_meshopt.mjs"), str(modules()), str(path)],
+                          capture_output=True)
+    if done.returncode:
+        raise AssertionError(done.stderr.decode())
+    return done.stdout
+
+
 def usd_text(path):
     """A layer as TinyUSDZ writes it again, and the number of meshes that it draws; None if it refuses
     the file."""
