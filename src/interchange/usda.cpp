@@ -5,6 +5,7 @@
 #include "interchange/blade_groups.h"
 #include "interchange/instances.h"
 #include "interchange/usda/usda_blade.h"
+#include "interchange/usda/usda_compact.h"
 #include "interchange/usda/usda_text.h"
 
 #include <fmt/format.h>
@@ -185,7 +186,11 @@ void writeUsda(const field::FieldView& field, const std::filesystem::path& path,
 
     const std::vector<BladeGroup> groups = groupBlades(field);
     for (std::size_t g = 0; g < groups.size(); ++g) {
-        appendGroup(out, groups[g], g, prototypes, instancesOf(field, groups[g], settings.source));
+        const std::vector<Instance> instances = instancesOf(field, groups[g], settings.source);
+        if (settings.compact)
+            appendCompactGroup(text, groups[g], g, prototypes, instances, settings.withIds);
+        else
+            appendGroup(out, groups[g], g, prototypes, instances);
         writeAndClear(file, text);
         progress.advance(groups[g].bladeCount);
     }

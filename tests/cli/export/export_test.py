@@ -15,7 +15,7 @@ import node_readers
 import ply_points
 import usda_layer
 from export_tables import ExportTest, PLACE_ERROR, front, linear, turned
-from support import IO, PROGRAM, UNSUPPORTED, USAGE
+from support import IO, PROGRAM, ROOT, UNSUPPORTED, USAGE
 
 from needs import needs
 
@@ -105,7 +105,12 @@ class UsdaExport(ExportTest):
         self.check(self.bake("sphere", "--count", "5000"))
 
     def test_tinyusdz_understands_it_as_it_is_meant(self):
-        path = self.export(self.bake("hills", "--count", "10000", "--sky-rays", "0"), "field.usda")
+        field = self.bake("hills", "--count", "10000", "--sky-rays", "0")
+        self.check_by_tinyusdz(self.export(field, "field.usda"))
+        few = self.bake("plane", "--count", "2000", "--sky-rays", "0", to="few.sward")
+        self.check_by_tinyusdz(self.export(few, "compact.usda", "--compact"))
+
+    def check_by_tinyusdz(self, path):
         text, meshes = node_readers.usd_text(path)
         self.assertEqual(meshes, 5, "the species of the default meadow")
         # Its own way of saying "in this layer".
@@ -166,6 +171,74 @@ class UsdaExport(ExportTest):
                          ("float3[] scales", "float7[] scales"), ("scales = [", "scales = [nan, ")):
             with self.subTest(new=new), self.assertRaises(ValueError):
                 usda_layer.Layer(text.replace(old, new, 1))
+
+
+class CompactUsda(ExportTest):
+    """What docs/exports.md states of --compact."""
+
+    TURN = numpy.radians(1.3)
+    STRETCH = 0.0055  # with the rounding of a half
+    SCALE = 0.5 / 99.0  # of the largest of the species in the group
+
+    def layer(self, field, *options):
+        path = self.export(field, "field.usda", "--compact", *options)
+        layer = usda_layer.Layer(path.read_text(encoding="utf-8"))
+        self.assertEqual(usda_layer.complaints(layer, length_error=self.STRETCH), [])
+        return layer, path.stat().st_size
+
+    def check(self, field):
+        layer, _ = self.layer(field, "--with-ids")
+        root = layer.prims["/Field"]
+        groups = [prim for prim in root.children if prim.kind == "PointInstancer"]
+        self.assertGreater(len(groups), 0)
+        table = self.table(field)
+        seen = 0
+        for group in groups:
+            rows = numpy.searchsorted(table["id"], group["ids"])
+            self.assertTrue(numpy.array_equal(table["id"][rows], group["ids"]))
+            seen += len(rows)
+            own = {name: values[rows] for name, values in table.items()}
+            unit = group["xformOp:scale"]
+            extent = max(numpy.ptp(own[axis]) for axis in "xyz")
+            place_error = (0.5 / 256.0 if extent <= 8.0 else 0.5 / 128.0) + 2e-6
+            places = root["xformOp:translate"] + group["xformOp:translate"] + unit * group["positions"]
+            self.assert_near(places, self.columns(own, "x", "y", "z"), place_error)
+            # A prototype's scale applies before that of the instance, and the instancer's after it.
+            steps = numpy.stack([layer.prims[path]["xformOp:scale"] for path in group["prototypes"]])
+            species = group["protoIndices"]
+            self.assertTrue(numpy.array_equal(species, own["species"].astype(int)))
+            real = self.scales(own)
+            largest = numpy.stack([numpy.max(real[species == s], axis=0, initial=0.0) for s in range(len(steps))])
+            error = numpy.abs(unit * group["scales"] * steps[species] - real) / largest[species]
+            self.assertLessEqual(error.max(), self.SCALE * 1.001)
+            turns = group["orientations"].astype(float)[:, [1, 2, 3, 0]]
+            turns /= numpy.linalg.norm(turns, axis=1, keepdims=True)
+            up = self.columns(own, "ux", "uy", "uz")
+            for axis, expected in (((0, 1, 0), up), ((0, 0, 1), front(up, own["facing"]))):
+                chord = numpy.linalg.norm(turned(turns, axis) - expected, axis=1).max()
+                self.assertLessEqual(2.0 * numpy.arcsin(chord / 2.0), self.TURN)
+            for name in ("stiffness", "exposure", "clump"):
+                self.assert_near(usda_layer.values_of(group, f"primvars:{name}").astype(float), own[name], 1e-7)
+            self.assert_near(usda_layer.values_of(group, "primvars:tint"),
+                             linear(self.columns(own, "tint_r", "tint_g", "tint_b")), 1e-5)
+        self.assertEqual(seen, len(table["id"]))
+
+    def test_blades_are_those_of_the_field(self):
+        self.check(self.bake("hills", "--count", "20000"))
+
+    def test_blades_of_a_planet(self):
+        self.check(self.bake("sphere", "--count", "5000", "--sky-rays", "0"))
+
+    def test_blades_far_away_stand_where_they_are(self):
+        self.check(self.far_field())
+
+    def test_a_blade_takes_less_than_60_bytes(self):
+        field = self.bake(ROOT / "assets/meshes/landscape.glb", "--count", "60000", "--bare-names", "none",
+                          "--sky-rays", "0")
+        layer, size = self.layer(field)
+        self.assertLessEqual(size, 60 * 60000)
+        group = layer.prims["/Field/group_0"]
+        self.assertFalse({"ids", "primvars:clump"} & group.properties.keys())
 
 
 class ExportCommand(ExportTest):

@@ -135,14 +135,14 @@ class Layer:
     def read_numbers(self, width, number, is_array):
         """All elements at once: arrays have megabytes."""
         one = INTEGER if number is int else NUMBER
-        element = one if width == 1 else r"\(" + ", ".join([one] * width) + r"\)"
-        pattern = rf"\s*\[((?:{element}(?:, {element})*)?)\]" if is_array else rf"\s*({element})"
+        element = one if width == 1 else r"\(" + ", ?".join([one] * width) + r"\)"
+        pattern = rf"\s*\[((?:{element}(?:, ?{element})*)?)\]" if is_array else rf"\s*({element})"
         found = re.compile(pattern).match(self.text, self.at)
         if not found:
             raise ValueError(f"no {width} numbers in {self.text[self.at:self.at + 40]!r}")
         self.at = found.end()
-        plain = found[1].translate({ord("("): None, ord(")"): None})
-        values = numpy.array(plain.split(", ") if plain else [],
+        plain = found[1].translate({ord("("): None, ord(")"): None, ord(" "): None})
+        values = numpy.array(plain.split(",") if plain else [],
                              numpy.int64 if number is int else numpy.float64)
         return values if width == 1 else values.reshape(-1, width)
 
@@ -194,8 +194,18 @@ SCHEMA = {
 }
 
 
-def complaints(layer):
-    """What breaks the schema: types, counts, ranges, paths without a target."""
+# What a compact layer leaves out unless asked.
+OPTIONAL = ("ids", "primvars:clump")
+
+
+def values_of(prim, name):
+    """A primvar, one value an instance, with or without indices."""
+    indices = prim.properties.get(name + ":indices")
+    return prim[name] if indices is None else prim[name][indices[1]]
+
+
+def complaints(layer, length_error=2e-3):
+    """What breaks the schema: types, counts, ranges, paths without a target. `length_error`: of quaternions."""
     found = []
     if (layer.metadata.get("metersPerUnit"), layer.metadata.get("upAxis")) != (1.0, "Y"):
         found.append("metersPerUnit or upAxis")
@@ -203,6 +213,8 @@ def complaints(layer):
         found.append("defaultPrim has no prim")
     for path, prim in layer.prims.items():
         for name, kind in SCHEMA.get(prim.kind, {}).items():
+            if name in OPTIONAL and name not in prim.properties:
+                continue
             if prim.properties.get(name, (None,))[0] != kind:
                 found.append(f"{path}: {name} is no {kind}")
         targets = [v for k, v in prim.properties.values() if k == "rel"]
@@ -216,22 +228,27 @@ def complaints(layer):
     if not found:
         for prim in layer.prims.values():
             check = {"PointInstancer": instancer_complaints, "Mesh": mesh_complaints}.get(prim.kind)
-            found += [f"{prim.path}: {text}" for text in (check(layer, prim) if check else [])]
+            found += [f"{prim.path}: {text}" for text in (check(layer, prim, length_error) if check else [])]
     return found
 
 
-def instancer_complaints(layer, prim):
+def instancer_complaints(layer, prim, length_error):
     count = len(prim["positions"])
     for name, (kind, value) in prim.properties.items():
-        if name.startswith("primvars:") and prim.interpolation.get(name) != "varying":
+        if name.endswith(":indices"):
+            values = prim[name.removesuffix(":indices")]
+            if kind != "int[]" or (len(value) and not 0 <= value.min() <= value.max() < len(values)):
+                yield f"{name} beyond the values"
+        elif name.startswith("primvars:") and prim.interpolation.get(name) != "varying":
             yield f"{name} is not varying"
-        if kind.endswith("[]") and name not in ("extent", "xformOpOrder") and len(value) != count:
+        is_palette = name + ":indices" in prim.properties
+        if kind.endswith("[]") and name not in ("extent", "xformOpOrder") and not is_palette and len(value) != count:
             yield f"{name} has {len(value)} elements for {count} instances"
     indices = prim["protoIndices"]
     if count and not (0 <= indices.min() and indices.max() < len(prim["prototypes"])):
         yield "protoIndices beyond the prototypes"
     norms = numpy.linalg.norm(prim["orientations"].astype(float), axis=1)
-    if (numpy.abs(norms - 1.0) > 2e-3).any():
+    if (numpy.abs(norms - 1.0) > length_error).any():
         yield "orientations are not unit quaternions"
     low, high = prim["extent"]
     if (prim["positions"] < low).any() or (prim["positions"] > high).any():
@@ -245,7 +262,7 @@ def instancer_complaints(layer, prim):
             yield f"{target} has no mesh"
 
 
-def mesh_complaints(_, prim):
+def mesh_complaints(_, prim, _length_error):
     points = len(prim["points"])
     if prim["faceVertexCounts"].sum() != len(prim["faceVertexIndices"]):
         yield "faceVertexCounts do not sum to the indices"
