@@ -11,12 +11,16 @@ const MAX_SPHERES := 8
 
 var _materials: Array[ShaderMaterial] = []
 var _instances: Array[MultiMeshInstance3D] = []
+var _breeze := Vector3.ZERO # the field's own wind: direction times speed [m/s]
 
 
 ## Takes the blades of an open SwardFieldReader, at most as many as `budget` [MiB] holds; 0: all.
 func fill(reader: Object, budget: int) -> void:
 	var origin: PackedFloat64Array = reader.origin()
 	position = Vector3(origin[0], origin[1], origin[2])
+	var breeze: PackedFloat64Array = reader.breeze()
+	# The shader bends in proportion to the speed: a field may have another strength at the same speed.
+	_breeze = Vector3(breeze[0], breeze[1], breeze[2]) * (2.6 * breeze[4] / 3.0)
 	var share := 1.0
 	if budget > 0:
 		share = minf(1.0, float(budget << 20) / maxf(BLADE_BYTES * reader.blade_count(), 1.0))
@@ -54,10 +58,9 @@ func _add(reader: Object, group: int, mesh: Mesh, buffer: PackedFloat32Array, wi
 
 ## Takes wind and shadows from a SwardGrass3D.
 func apply(node: Node3D) -> void:
-	var angle := deg_to_rad(node.wind_direction)
-	# Without an override: the breeze that Sward saves into fields unless told otherwise.
-	var wind := Vector3(0.8, 0.0, 0.6) * 2.6
+	var wind := _breeze
 	if node.wind_override:
+		var angle := deg_to_rad(node.wind_direction)
 		wind = Vector3(sin(angle), 0.0, -cos(angle)) * node.wind_speed
 	for material in _materials:
 		material.set_shader_parameter("wind", wind)

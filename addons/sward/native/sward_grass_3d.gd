@@ -196,7 +196,9 @@ func _reload() -> void:
 
 ## The file of the operating system behind a path of Godot. Sward maps files; one inside of a package is copied out.
 static func file_path(path: String) -> String:
-	var global := ProjectSettings.globalize_path(ResourceUID.ensure_path(path) if path.begins_with("uid:") else path)
+	if path.begins_with("uid://"):
+		path = ResourceUID.get_id_path(ResourceUID.text_to_id(path))
+	var global := ProjectSettings.globalize_path(path)
 	if not path.begins_with("res://") or OS.has_feature("editor") or not FileAccess.file_exists(path):
 		return global
 	var copy := "user://sward/%s.sward" % path.md5_text()
@@ -230,6 +232,8 @@ func _start_native(path: String) -> String:
 
 
 func _native_failed(reason: String) -> void:
+	if _views == null:
+		return # it was freed in the same frame
 	_views.stop()
 	_views = null
 	_report("the native renderer has stopped: %s" % reason)

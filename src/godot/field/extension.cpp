@@ -13,7 +13,7 @@ const Class& fieldClass()
         "SwardFieldReader",
         {method<&FieldReader::open>("open"), method<&FieldReader::close>("close"),
          method<&FieldReader::bladeCount>("blade_count"), method<&FieldReader::origin>("origin"),
-         method<&FieldReader::bounds>("bounds"),
+         method<&FieldReader::bounds>("bounds"), method<&FieldReader::breeze>("breeze"),
          method<&FieldReader::speciesCount>("species_count"),
          method<&FieldReader::speciesName>("species_name"), method<&FieldReader::gloss>("gloss"),
          method<&FieldReader::meshVertices>("mesh_vertices"),

@@ -89,6 +89,16 @@ std::vector<double> FieldReader::bounds()
     return field_ ? numbers(view().bounds(), glm::dvec3(0.0)) : std::vector<double>{};
 }
 
+std::vector<double> FieldReader::breeze()
+{
+    if (!field_)
+        return {};
+    const field::Wind& wind = view().defaults->wind;
+    std::vector<double> result = numbers(glm::dvec3(wind.direction));
+    result.insert(result.end(), {double(wind.speed), double(wind.strength)});
+    return result;
+}
+
 std::int64_t FieldReader::speciesCount()
 {
     return field_ ? static_cast<std::int64_t>(view().species.size()) : 0;

@@ -29,6 +29,9 @@ public:
     std::int64_t bladeCount();    ///< as they are planted: without ribbons of compound plants
     std::vector<double> origin(); ///< [m] world, 3 numbers
     std::vector<double> bounds(); ///< [m] relative to the origin: 3 numbers below, 3 above
+    /// The wind that the field has saved: unit direction, speed [m/s], strength [blade heights per
+    /// second].
+    std::vector<double> breeze();
 
     std::int64_t speciesCount();
     std::string speciesName(std::int64_t species);

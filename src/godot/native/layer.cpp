@@ -10,13 +10,10 @@
 #include <vulkan/vk_layer.h>
 
 #include <algorithm>
-#include <cstdlib>
 #include <cstring>
 #include <map>
 #include <memory>
 #include <mutex>
-#include <sstream>
-#include <string_view>
 #include <vector>
 
 namespace sward::godot {
@@ -31,7 +28,7 @@ struct DeviceBelow {
     VkDevice device = VK_NULL_HANDLE;
     PFN_vkGetDeviceProcAddr get = nullptr;
     LayeredDevice known;
-    std::recursive_mutex queues; // of all its queues: vkDeviceWaitIdle needs all of them
+    std::map<VkQueue, std::mutex> queues; // in use by one thread at a time
 };
 
 std::mutex tables;
@@ -82,17 +79,6 @@ Link* linkIn(const Info& info, VkStructureType type)
     while (link != nullptr && !(link->sType == type && link->function == VK_LAYER_LINK_INFO))
         link = static_cast<Link*>(const_cast<void*>(link->pNext)); // NOLINT(*-const-cast)
     return link;
-}
-
-// Whether SWARD_GODOT_WITHOUT names a feature.
-bool isLeftOut(std::string_view feature)
-{
-    const char* const value = std::getenv("SWARD_GODOT_WITHOUT");
-    std::stringstream names(value != nullptr ? value : "");
-    for (std::string name; std::getline(names, name, ',');)
-        if (name == feature)
-            return true;
-    return false;
 }
 
 // What Sward lacks on a device; says also whether there are 64-bit atomics.
@@ -221,16 +207,19 @@ VKAPI_ATTR void VKAPI_CALL destroyDevice(VkDevice device, const VkAllocationCall
     devices.erase(key);
 }
 
-// Calls what is below, while no other thread uses a queue of the device.
-template <class Function, class Handle, class... Arguments>
-VkResult inTurn(const char* name, Handle handle, Arguments... arguments)
+// Calls what is below, while no other thread uses the queue.
+template <class Function, class... Arguments>
+VkResult inTurn(const char* name, VkQueue queue, Arguments... arguments)
 {
-    DeviceBelow* const device = deviceOf(handle);
+    DeviceBelow* const device = deviceOf(queue);
     auto function = below<Function>(*device, name);
     if (function == nullptr) // of an extension, before it was part of Vulkan
         function = below<Function>(*device, (std::string(name) + "KHR").c_str());
-    const std::lock_guard lock(device->queues);
-    return function(handle, arguments...);
+    std::unique_lock lock(tables);
+    std::mutex& turn = device->queues[queue];
+    lock.unlock();
+    const std::lock_guard mine(turn);
+    return function(queue, arguments...);
 }
 
 VKAPI_ATTR VkResult VKAPI_CALL queueSubmit(VkQueue queue, std::uint32_t count,
@@ -261,9 +250,19 @@ VKAPI_ATTR VkResult VKAPI_CALL queueWaitIdle(VkQueue queue)
     return inTurn<PFN_vkQueueWaitIdle>("vkQueueWaitIdle", queue);
 }
 
-VKAPI_ATTR VkResult VKAPI_CALL deviceWaitIdle(VkDevice device)
+// Uses all queues.
+VKAPI_ATTR VkResult VKAPI_CALL deviceWaitIdle(VkDevice handle)
 {
-    return inTurn<PFN_vkDeviceWaitIdle>("vkDeviceWaitIdle", device);
+    DeviceBelow* const device = deviceOf(handle);
+    std::vector<std::unique_lock<std::mutex>> turns;
+    std::unique_lock lock(tables);
+    std::vector<std::mutex*> queues;
+    for (auto& [queue, turn] : device->queues)
+        queues.push_back(&turn);
+    lock.unlock();
+    for (std::mutex* turn : queues)
+        turns.emplace_back(*turn);
+    return below<PFN_vkDeviceWaitIdle>(*device, "vkDeviceWaitIdle")(handle);
 }
 
 struct Intercepted {

@@ -4,6 +4,7 @@
 
 #include <optional>
 #include <string>
+#include <string_view>
 
 namespace sward::godot {
 
@@ -21,11 +22,14 @@ struct LayeredDevice {
 std::optional<LayeredDevice> layeredDevice(VkDevice device);
 
 /// Lets the Vulkan loader find this layer, for instances that are made until switchLayerOff().
-/// Changes the process's environment: call it while there is one thread. Features that the variable
-/// SWARD_GODOT_WITHOUT names, separated by commas, count as missing; so does `vulkan1.3`.
+/// Changes the process's environment: call it while there is one thread.
 void switchLayerOn();
 
 /// Gives the variables their former values, so that children do not inherit the layer.
 void switchLayerOff();
+
+/// Whether the environment variable SWARD_GODOT_WITHOUT, names separated by commas, says that a
+/// feature of Vulkan, `vulkan1.3` or the `layer` counts as missing.
+bool isLeftOut(std::string_view name);
 
 } // namespace sward::godot

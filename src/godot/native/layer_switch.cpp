@@ -5,6 +5,7 @@
 
 #include <array>
 #include <cstdlib>
+#include <sstream>
 
 namespace sward::godot {
 namespace {
@@ -35,10 +36,20 @@ std::string libraryFolder()
 
 } // namespace
 
+bool isLeftOut(std::string_view name)
+{
+    const char* const value = std::getenv("SWARD_GODOT_WITHOUT");
+    std::stringstream names(value != nullptr ? value : "");
+    for (std::string one; std::getline(names, one, ',');)
+        if (one == name)
+            return true;
+    return false;
+}
+
 void switchLayerOn()
 {
     const std::string folder = libraryFolder();
-    if (folder.empty() || isOn)
+    if (folder.empty() || isOn || isLeftOut("layer"))
         return;
     isOn = true;
     for (std::size_t i = 0; i < variables.size(); ++i) {

@@ -48,8 +48,12 @@ class Fields(WithFields):
         self.assertIn("blades 1000", lines)
         species = [line.split() for line in lines if line.startswith("species")]
         self.assertGreater(len(species), 1)
+        x, y, z, speed, strength = map(float, next(line for line in lines if line.startswith("breeze")).split()[1:])
+        self.assertAlmostEqual(x * x + y * y + z * z, 1.0, 5)
+        self.assertGreater(speed, 0)
+        self.assertGreater(strength, 0)
         blades = sorted(tuple(map(float, line.split()[1:])) for line in lines if line.startswith("blade "))
-        self.assertEqual(len(lines), 1 + len(species) + len(blades), "nothing else is said")
+        self.assertEqual(len(lines), 2 + len(species) + len(blades), "nothing else is said")
         table = self.folder / "meadow.csv"
         subprocess.run([PROGRAM, "export", self.field, "-o", table], check=True, capture_output=True)
         with open(table, encoding="utf-8") as file:
@@ -155,9 +159,11 @@ class Native(WithFields):
                 self.assertIn(words, lines[1])
 
     def test_a_device_without_the_layer_is_refused(self):
-        lines = self.draw("late")
-        self.assertEqual(len(lines), 2, lines)
-        self.assertIn("start refused the layer VK_LAYER_SWARD_features is not on Godot's device", lines[1])
+        for mode, environment in [(["late"], {}), ([], {"SWARD_GODOT_WITHOUT": "layer"})]:
+            with self.subTest(mode=mode):
+                lines = self.draw(*mode, **environment)
+                self.assertEqual(len(lines), 2, lines)
+                self.assertIn("start refused the layer VK_LAYER_SWARD_features is not on Godot's device", lines[1])
 
     def test_layers_of_the_user_stay(self):
         with tempfile.TemporaryDirectory(prefix="sward-layers-") as empty:

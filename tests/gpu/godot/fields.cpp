@@ -30,6 +30,9 @@ void printBlades(Object& field, const Floats& buffer, const Doubles& place)
 void printField(Object& field)
 {
     std::printf("blades %lld\n", static_cast<long long>(field.number("blade_count")));
+    const auto breeze = std::get<Doubles>(field.call("breeze"));
+    std::printf("breeze %g %g %g %g %g\n", breeze.at(0), breeze.at(1), breeze.at(2), breeze.at(3),
+                breeze.at(4));
     const std::int64_t species = field.number("species_count");
     for (std::int64_t s = 0; s < species; ++s) {
         const auto vertices = std::get<Floats>(field.call("mesh_vertices", {s}));
