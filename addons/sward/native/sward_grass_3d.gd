@@ -82,7 +82,7 @@ signal renderer_chosen(renderer_name: String, reason: String)
 @export var sun := NodePath():
 	set(value):
 		sun = value
-		_settings_changed = true
+		_light = Light.new()
 
 ## A settings file's text (docs/settings.md of Sward), laid over the field's own for the native renderer.
 @export_multiline var settings := "":

@@ -1,22 +1,30 @@
 extends Node3D
-## Draws a field by SwardGrass3D and says what came of it. User arguments, as --name value:
-##   field FILE.sward; renderer auto, native, multimesh; frames N, of which the first four are not counted; shot FILE.png
-##   case plain      ground, balls and water
-##        colliders  a ball rolls through the grass
-##        move       the camera moves and turns in each frame
-##        views      a second viewport of another camera
-##        resize     the window changes its size twice
-##        reload     the field is freed and loaded again, twice
-##        ortho      the camera is orthogonal
-## Lines begin with RESULT. Wind is off but in the case colliders, so that pictures are equal from run to run.
+## Draws a field by SwardGrass3D and says what came of it, in lines that begin with RESULT. User arguments, as --name value:
+##   field FILE.sward     what is drawn
+##   renderer WORD        auto, native, multimesh
+##   frames N             of which the first four are not counted
+##   shot FILE.png        picture of the last frame
+##   ground FILE.glb      its ground is drawn by Godot
+##   eye, target X,Y,Z    of the camera; fov in degrees
+##   scenery 0            no balls and no water
+##   settings JSON        of the grass; shadows 1: blades cast shadows
+##   case plain           nothing changes
+##        colliders       a ball rolls through the grass
+##        move            the camera moves and turns in each frame
+##        views           a second viewport of another camera
+##        resize          the window changes its size twice
+##        reload          the field is freed and loaded again, twice
+##        ortho           the camera is orthogonal
+## There is no wind but in the case colliders, so that pictures are equal from run to run.
 
 var args := {"field": "", "renderer": "auto", "case": "plain", "frames": "8", "shot": "", "eye": "0,3,12", "target": "0,0,0",
-		"fov": "50", "scenery": "1", "settings": ""}
+		"fov": "50", "scenery": "1", "settings": "", "ground": ""}
 var grass: SwardGrass3D
 var camera := Camera3D.new()
 var ball: MeshInstance3D
 var second: SubViewport
 var frame := 0
+var begun := 0
 var last := 0
 var times := []
 var errors := []
@@ -47,6 +55,8 @@ func _ready() -> void:
 	add_child(world)
 	if args.scenery == "1":
 		_add_scenery()
+	if args.ground:
+		add_child(preload("ground.gd").load_from(args.ground))
 	grass = SwardGrass3D.new()
 	grass.name = "Grass"
 	grass.wind_override = true
@@ -56,9 +66,10 @@ func _ready() -> void:
 	grass.renderer = {"auto": SwardGrass3D.Renderer.AUTO, "native": SwardGrass3D.Renderer.NATIVE,
 			"multimesh": SwardGrass3D.Renderer.MULTIMESH}[args.renderer]
 	grass.renderer_chosen.connect(func(renderer: String, reason: String) -> void:
-			print("RESULT renderer ", renderer, ": ", reason))
+			print("RESULT renderer ", renderer, " after ", (Time.get_ticks_usec() - begun) / 1000, " ms: ", reason))
 	grass.field = args.field
-	last = Time.get_ticks_usec()
+	begun = Time.get_ticks_usec()
+	last = begun
 	add_child(grass)
 	if args.case == "colliders":
 		grass.colliders = [grass.get_path_to(ball)]
@@ -105,7 +116,7 @@ func _process(_delta: float) -> void:
 	frame += 1
 	var now := Time.get_ticks_usec()
 	if frame == 2:
-		print("RESULT loaded and drawn once after ", (now - last) / 1000, " ms")
+		print("RESULT first frame after ", (now - begun) / 1000, " ms")
 	elif frame > 4:
 		times.append((now - last) / 1000.0)
 	last = now
