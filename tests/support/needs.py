@@ -55,6 +55,7 @@ NEEDS = {
     "slurm": Need("Slurm", ("munge", "slurmctld", "slurmd", "slurm-client"), programs("munged", "slurmctld", "slurmd", "sbatch")),
     # The packages themselves are fetched by the first test that uses one (tests/cli/export/node_readers.py).
     "npm packages": Need("gltf-validator, three.js and TinyUSDZ from npm", ("nodejs", "npm"), programs("node")),
+    "node": Need("Node.js", ("nodejs",), programs("node")),
     "display": Need("Xvfb and xdotool", ("xvfb", "xdotool"), programs("Xvfb", "xdotool")),
     "groff": Need("groff", ("groff-base",), programs("groff")),
     "blender": Need("Blender", ("blender",), programs("blender"), "--dev"),

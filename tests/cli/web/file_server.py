@@ -1,0 +1,53 @@
+"""A server of one folder, with or without ranges, for the tests of the npm package."""
+
+import os
+import re
+import threading
+from http.server import SimpleHTTPRequestHandler, ThreadingHTTPServer
+
+
+class FolderServer:
+    """Serves `folder` at `address` while it is used as a context. `bytes_sent` counts bodies."""
+
+    def __init__(self, folder, ranges=True):
+        self.bytes_sent = 0
+        self.requests = []
+        owner = self
+
+        class Handler(SimpleHTTPRequestHandler):
+            def __init__(self, *arguments):
+                super().__init__(*arguments, directory=str(folder))
+
+            def do_GET(self):
+                path = self.translate_path(self.path)
+                asked = re.fullmatch(r"bytes=(\d+)-(\d+)", self.headers.get("Range", ""))
+                owner.requests.append((self.path, self.headers.get("Range")))
+                if not ranges or not asked or not os.path.exists(path):
+                    super().do_GET()
+                    return
+                with open(path, "rb") as file:
+                    data = file.read()
+                first, last = int(asked[1]), min(int(asked[2]), len(data) - 1)
+                if first >= len(data):
+                    self.send_error(416)
+                    return
+                self.send_response(206)
+                self.send_header("Content-Range", f"bytes {first}-{last}/{len(data)}")
+                self.send_header("Content-Length", str(last - first + 1))
+                self.end_headers()
+                self.wfile.write(data[first:last + 1])
+                owner.bytes_sent += last - first + 1
+
+            def log_message(self, *_):
+                pass
+
+        self.server = ThreadingHTTPServer(("127.0.0.1", 0), Handler)
+        self.address = f"http://127.0.0.1:{self.server.server_port}"
+
+    def __enter__(self):
+        threading.Thread(target=self.server.serve_forever, daemon=True).start()
+        return self
+
+    def __exit__(self, *_):
+        self.server.shutdown()
+        self.server.server_close()

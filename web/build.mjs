@@ -1,0 +1,23 @@
+// Bundles the package: src/index.ts with fzstd becomes dist/sward.js, an ES module. Not minified, so that people can
+// read what a page runs. `node build.mjs [FOLDER]` writes elsewhere, for the test that compares it with dist/.
+import { build } from "esbuild";
+import { dirname, join } from "node:path";
+import { fileURLToPath } from "node:url";
+
+const here = dirname(fileURLToPath(import.meta.url));
+
+await build({
+  absWorkingDir: here,
+  entryPoints: ["src/index.ts"],
+  bundle: true,
+  format: "esm",
+  target: "es2022",
+  charset: "utf8",
+  legalComments: "inline",
+  banner: {
+    js:
+      "// Built from web/src by `npm run build`; do not edit.\n" +
+      "// Sward, MIT licence. Contains fzstd, MIT licence, copyright (c) 2020 Arjun Barrett.",
+  },
+  outfile: join(process.argv[2] ?? join(here, "dist"), "sward.js"),
+});
