@@ -4,8 +4,11 @@ import { build } from "esbuild";
 import { dirname, join } from "node:path";
 import { fileURLToPath } from "node:url";
 
+import { generate } from "./generate.mjs";
+
 const here = dirname(fileURLToPath(import.meta.url));
 
+generate();
 await build({
   absWorkingDir: here,
   entryPoints: ["src/index.ts"],

@@ -56,6 +56,7 @@ NEEDS = {
     # The packages themselves are fetched by the first test that uses one (tests/cli/export/node_readers.py).
     "npm packages": Need("gltf-validator, three.js and TinyUSDZ from npm", ("nodejs", "npm"), programs("node")),
     "node": Need("Node.js", ("nodejs",), programs("node")),
+    "chromium": Need("Chromium", ("chromium",), programs("chromium"), "--dev"),
     "display": Need("Xvfb and xdotool", ("xvfb", "xdotool"), programs("Xvfb", "xdotool")),
     "groff": Need("groff", ("groff-base",), programs("groff")),
     "blender": Need("Blender", ("blender",), programs("blender"), "--dev"),

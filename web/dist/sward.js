@@ -230,18 +230,18 @@ var maxRibbons = 63;
 var black = [0, 0, 0];
 var farthest = 1e12;
 function readLook(reader, usual) {
-  const unit = (key, value, high = 1) => reader.number(key, value, 0, high);
+  const unit2 = (key, value, high = 1) => reader.number(key, value, 0, high);
   return {
     rootColor: reader.vector("root_color", usual.rootColor, 0, 1),
     tipColor: reader.vector("tip_color", usual.tipColor, 0, 1),
-    tipThreshold: unit("tip_threshold", usual.tipThreshold, 0.99),
-    groundTint: unit("ground_tint", usual.groundTint),
-    colorVariation: unit("color_variation", usual.colorVariation),
-    translucency: unit("translucency", usual.translucency),
-    gloss: unit("gloss", usual.gloss),
-    dryness: unit("dryness", usual.dryness),
+    tipThreshold: unit2("tip_threshold", usual.tipThreshold, 0.99),
+    groundTint: unit2("ground_tint", usual.groundTint),
+    colorVariation: unit2("color_variation", usual.colorVariation),
+    translucency: unit2("translucency", usual.translucency),
+    gloss: unit2("gloss", usual.gloss),
+    dryness: unit2("dryness", usual.dryness),
     shape: reader.word("shape", shapeNames, usual.shape),
-    fold: unit("fold", usual.fold)
+    fold: unit2("fold", usual.fold)
   };
 }
 var plainLook = {
@@ -422,10 +422,10 @@ function unfoldUp(bits, up, at) {
     y = (1 - Math.abs(x)) * (y >= 0 ? 1 : -1);
     x = folded;
   }
-  const size = Math.hypot(x, y, z);
-  up[at] = x / size;
-  up[at + 1] = y / size;
-  up[at + 2] = z / size;
+  const size2 = Math.hypot(x, y, z);
+  up[at] = x / size2;
+  up[at + 1] = y / size2;
+  up[at + 2] = z / size2;
 }
 function bladeId(keys, blade) {
   if (keys.length === 0) return BigInt(blade);
@@ -1122,7 +1122,7 @@ function avalanche64(x) {
 function shortHash(bytes) {
   const view = new DataView(bytes.buffer, bytes.byteOffset, bytes.length);
   const length = bytes.length;
-  const size = BigInt(length);
+  const size2 = BigInt(length);
   const word = (at) => BigInt(view.getUint32(at, true));
   const long = (at) => view.getBigUint64(at, true);
   const mixed = (at, of) => foldedProduct(long(at) ^ secretAt(of), long(at + 8) ^ secretAt(of + 8));
@@ -1135,16 +1135,16 @@ function shortHash(bytes) {
     let h = (word(length - 4) | word(0) << 32n) ^ (secretAt(8) ^ secretAt(16));
     h ^= rotate(h, 49n) ^ rotate(h, 24n);
     h = h * 0x9fb21c651e98df25n & mask;
-    h ^= (h >> 35n) + size;
+    h ^= (h >> 35n) + size2;
     h = h * 0x9fb21c651e98df25n & mask;
     return h ^ h >> 28n;
   }
   if (length <= 16) {
     const low = long(0) ^ (secretAt(24) ^ secretAt(32));
     const high = long(length - 8) ^ (secretAt(40) ^ secretAt(48));
-    return avalanche(size + swap64(low) + high + foldedProduct(low, high) & mask);
+    return avalanche(size2 + swap64(low) + high + foldedProduct(low, high) & mask);
   }
-  let sum = size * prime64[1];
+  let sum = size2 * prime64[1];
   if (length <= 128) {
     for (let i = Math.floor((length - 1) / 32); i >= 0; --i)
       sum += mixed(16 * i, 32 * i) + mixed(length - 16 * (i + 1), 32 * i + 16);
@@ -1244,14 +1244,14 @@ function* longHash(bytes) {
   const words = wordsOf(bytes);
   const length = bytes.length;
   const hash = new LongHash();
-  const blocks = Math.floor((length - 1) / blockBytes);
-  for (let i = 0; i < blocks; ++i) {
+  const blocks2 = Math.floor((length - 1) / blockBytes);
+  for (let i = 0; i < blocks2; ++i) {
     hash.addBlock(words, i * blockBytes / 4);
     if (i % 4096 === 4095) yield;
   }
-  const stripes = Math.floor((length - 1 - blocks * blockBytes) / stripe);
+  const stripes = Math.floor((length - 1 - blocks2 * blockBytes) / stripe);
   for (let i = 0; i < stripes; ++i)
-    hash.addStripe(words, (blocks * blockBytes + i * stripe) / 4, secretWords, 2 * i);
+    hash.addStripe(words, (blocks2 * blockBytes + i * stripe) / 4, secretWords, 2 * i);
   const lastKey = secret.length - stripe - 7;
   hash.addStripe(
     wordsOf(bytes.slice(length - stripe)),
@@ -1313,13 +1313,13 @@ var knownChunks = {
 var hex = (value, digits = 0) => `0x${(value >>> 0).toString(16).padStart(digits, "0")}`;
 var Container = class _Container {
   /** `head`: the first bytes of the file, at least header and table. */
-  constructor(source, head) {
+  constructor(source, head2) {
     this.source = source;
-    this.head = head;
+    this.head = head2;
     const place = source.name;
-    const view = new DataView(head.buffer, head.byteOffset, head.length);
+    const view = new DataView(head2.buffer, head2.byteOffset, head2.length);
     for (let i = 0; i < magic.length; ++i)
-      if (head[i] !== magic.charCodeAt(i))
+      if (head2[i] !== magic.charCodeAt(i))
         fail("input", `${place}: not a field file (it does not begin with "SWARD")`);
     const mark = view.getUint32(12, true);
     if (mark !== endianMark)
@@ -1331,11 +1331,11 @@ var Container = class _Container {
         `${place}: field format version ${this.version.major}.${this.version.minor}; this program reads up to version ${majorVersion}.${minorVersion}`
       );
     if (this.version.major === 0) fail("input", `${place}: field format version 0 does not exist`);
-    const size = view.getBigUint64(16, true);
-    if (size !== BigInt(source.size))
+    const size2 = view.getBigUint64(16, true);
+    if (size2 !== BigInt(source.size))
       fail(
         "input",
-        `${place}: ${source.size} bytes instead of ${size}: ` + (BigInt(source.size) < size ? "truncated" : "bytes follow its end")
+        `${place}: ${source.size} bytes instead of ${size2}: ` + (BigInt(source.size) < size2 ? "truncated" : "bytes follow its end")
       );
     const count = view.getUint32(24, true);
     if (count > maxChunks) fail("input", `${place}: ${count} chunks, more than ${maxChunks}`);
@@ -1343,7 +1343,7 @@ var Container = class _Container {
     const end = headerBytes + count * entryBytes;
     if (end > source.size)
       fail("input", `${place}: the table of ${count} chunks does not fit into ${source.size} bytes`);
-    const hashed = head.slice(0, end);
+    const hashed = head2.slice(0, end);
     hashed.fill(0, 56, 64);
     if (xxh3(hashed) !== view.getBigUint64(56, true))
       fail("input", `${place}: header or chunk table is damaged (hash differs)`);
@@ -1508,13 +1508,13 @@ function frameOf(bytes) {
     ++at;
   }
   at += [0, 1, 2, 4][descriptor & 3];
-  const size = descriptor >> 6;
+  const size2 = descriptor >> 6;
   let content;
-  if (size === 0 && !isSingle) return void 0;
-  if (at + [1, 2, 4, 8][size] > bytes.length) return void 0;
-  if (size === 0) content = bytes[at];
-  else if (size === 1) content = view.getUint16(at, true) + 256;
-  else if (size === 2) content = view.getUint32(at, true);
+  if (size2 === 0 && !isSingle) return void 0;
+  if (at + [1, 2, 4, 8][size2] > bytes.length) return void 0;
+  if (size2 === 0) content = bytes[at];
+  else if (size2 === 1) content = view.getUint16(at, true) + 256;
+  else if (size2 === 2) content = view.getUint32(at, true);
   else content = Number(view.getBigUint64(at, true));
   return { content, window: isSingle ? content : window };
 }
@@ -1537,11 +1537,11 @@ function imagesOf(bytes, place) {
     at += 8;
     if (width === 0 || height === 0 || width > largestSide || height > largestSide)
       fail("input", `${place}: image ${images.length} is ${width}×${height}, outside 1 to ${largestSide}`);
-    const size = 4 * width * height;
-    if (size > bytes.length - at)
-      fail("input", `${place}: image ${images.length} needs ${size} bytes, ${bytes.length - at} are left`);
-    images.push({ width, height, pixels: bytes.subarray(at, at + size) });
-    at += size;
+    const size2 = 4 * width * height;
+    if (size2 > bytes.length - at)
+      fail("input", `${place}: image ${images.length} needs ${size2} bytes, ${bytes.length - at} are left`);
+    images.push({ width, height, pixels: bytes.subarray(at, at + size2) });
+    at += size2;
   }
   return images;
 }
@@ -1631,9 +1631,9 @@ var BufferSource = class {
 };
 var firstBytes = 65536;
 var RangeSource = class {
-  constructor(name, size, first, get) {
+  constructor(name, size2, first, get) {
     this.name = name;
-    this.size = size;
+    this.size = size2;
     this.first = first;
     this.get = get;
     this.received = first.length;
@@ -1903,14 +1903,2433 @@ async function readField(file, name = "field") {
 async function openField(address, options = {}) {
   return Field.open(await Container.open(await openSource(address, options)));
 }
+
+// src/generated/layout.ts
+var lodFullShare = 1 / 0.9;
+var windNoise = 0;
+var windWave = 2;
+var windsAlike = 16777216;
+var latticeX = 2654435761;
+var latticeY = 2246822519;
+var latticeZ = 3266489917;
+var fineNoiseScale = 2.7;
+var fineNoiseStart = 17.3;
+var unsettledTurn = 2147516416;
+var maxHeightCompensation = 1.3;
+var outlineMost = 1.35;
+var heightSteps = 16;
+var bladeShadowTexels = 1024;
+var cullPatch = 1;
+var cullOrientation = 2;
+var cullFrustum = 4;
+var cullDistance = 8;
+var leaveThinned = 32;
+var toneBits = 2147713024;
+var frameBytes = 2640;
+var frameLayout = { "viewProjection": 0, "rays[0]": 64, "rays[1]": 80, "rays[2]": 96, "depthOfEye": 112, "view.planes[0]": 128, "view.planes[1]": 144, "view.planes[2]": 160, "view.planes[3]": 176, "view.planes[4]": 192, "view.planes[5]": 208, "view.eye": 224, "view.drawDistance": 236, "view.pixelsPerUnit": 240, "view.lodThreshold": 244, "view.lodWidth": 248, "view.minWidth": 252, "view.maxLeafArea": 256, "view.maxEdgeOn": 260, "view.samples": 264, "view.buckets": 268, "view.bucketDistance": 272, "view.cullMask": 276, "view.areaFactor": 280, "view.sparseFrom": 284, "view.sparseLeast": 288, "environment.gravity.direction": 304, "environment.gravity.strength": 316, "environment.gravity.attractor": 320, "environment.gravity.blend": 332, "environment.gravity.forward": 336, "environment.recovery": 352, "environment.colliderCount": 356, "environment.wind.counts": 368, "environment.wind.eddySize": 372, "environment.wind.eddySpeed": 376, "environment.wind.sum": 380, "environment.wind.eddyPhase": 384, "environment.wind.lattice.origin": 400, "environment.wind.lattice.x": 416, "environment.wind.lattice.y": 432, "environment.wind.lattice.z": 448, "environment.wind.sources[0].direction": 464, "environment.wind.sources[0].strength": 476, "environment.wind.sources[0].centre": 480, "environment.wind.sources[0].size": 492, "environment.wind.sources[0].speed": 496, "environment.wind.sources[0].rate": 500, "environment.wind.sources[0].turn": 504, "environment.wind.sources[0].alignment": 508, "environment.wind.sources[0].lift": 512, "environment.wind.sources[0].kind": 516, "environment.wind.sources[0].side": 528, "environment.wind.sources[0].perSize": 540, "environment.wind.sources[1].direction": 544, "environment.wind.sources[1].strength": 556, "environment.wind.sources[1].centre": 560, "environment.wind.sources[1].size": 572, "environment.wind.sources[1].speed": 576, "environment.wind.sources[1].rate": 580, "environment.wind.sources[1].turn": 584, "environment.wind.sources[1].alignment": 588, "environment.wind.sources[1].lift": 592, "environment.wind.sources[1].kind": 596, "environment.wind.sources[1].side": 608, "environment.wind.sources[1].perSize": 620, "environment.wind.sources[2].direction": 624, "environment.wind.sources[2].strength": 636, "environment.wind.sources[2].centre": 640, "environment.wind.sources[2].size": 652, "environment.wind.sources[2].speed": 656, "environment.wind.sources[2].rate": 660, "environment.wind.sources[2].turn": 664, "environment.wind.sources[2].alignment": 668, "environment.wind.sources[2].lift": 672, "environment.wind.sources[2].kind": 676, "environment.wind.sources[2].side": 688, "environment.wind.sources[2].perSize": 700, "environment.wind.sources[3].direction": 704, "environment.wind.sources[3].strength": 716, "environment.wind.sources[3].centre": 720, "environment.wind.sources[3].size": 732, "environment.wind.sources[3].speed": 736, "environment.wind.sources[3].rate": 740, "environment.wind.sources[3].turn": 744, "environment.wind.sources[3].alignment": 748, "environment.wind.sources[3].lift": 752, "environment.wind.sources[3].kind": 756, "environment.wind.sources[3].side": 768, "environment.wind.sources[3].perSize": 780, "environment.wind.sources[4].direction": 784, "environment.wind.sources[4].strength": 796, "environment.wind.sources[4].centre": 800, "environment.wind.sources[4].size": 812, "environment.wind.sources[4].speed": 816, "environment.wind.sources[4].rate": 820, "environment.wind.sources[4].turn": 824, "environment.wind.sources[4].alignment": 828, "environment.wind.sources[4].lift": 832, "environment.wind.sources[4].kind": 836, "environment.wind.sources[4].side": 848, "environment.wind.sources[4].perSize": 860, "environment.wind.sources[5].direction": 864, "environment.wind.sources[5].strength": 876, "environment.wind.sources[5].centre": 880, "environment.wind.sources[5].size": 892, "environment.wind.sources[5].speed": 896, "environment.wind.sources[5].rate": 900, "environment.wind.sources[5].turn": 904, "environment.wind.sources[5].alignment": 908, "environment.wind.sources[5].lift": 912, "environment.wind.sources[5].kind": 916, "environment.wind.sources[5].side": 928, "environment.wind.sources[5].perSize": 940, "environment.wind.sources[6].direction": 944, "environment.wind.sources[6].strength": 956, "environment.wind.sources[6].centre": 960, "environment.wind.sources[6].size": 972, "environment.wind.sources[6].speed": 976, "environment.wind.sources[6].rate": 980, "environment.wind.sources[6].turn": 984, "environment.wind.sources[6].alignment": 988, "environment.wind.sources[6].lift": 992, "environment.wind.sources[6].kind": 996, "environment.wind.sources[6].side": 1008, "environment.wind.sources[6].perSize": 1020, "environment.wind.sources[7].direction": 1024, "environment.wind.sources[7].strength": 1036, "environment.wind.sources[7].centre": 1040, "environment.wind.sources[7].size": 1052, "environment.wind.sources[7].speed": 1056, "environment.wind.sources[7].rate": 1060, "environment.wind.sources[7].turn": 1064, "environment.wind.sources[7].alignment": 1068, "environment.wind.sources[7].lift": 1072, "environment.wind.sources[7].kind": 1076, "environment.wind.sources[7].side": 1088, "environment.wind.sources[7].perSize": 1100, "environment.wind.phases[0].shift": 1104, "environment.wind.phases[0].cell": 1116, "environment.wind.phases[0].fineShift": 1120, "environment.wind.phases[0].fineCell": 1132, "environment.wind.phases[0].angle": 1136, "environment.wind.phases[0].turned": 1140, "environment.wind.phases[1].shift": 1152, "environment.wind.phases[1].cell": 1164, "environment.wind.phases[1].fineShift": 1168, "environment.wind.phases[1].fineCell": 1180, "environment.wind.phases[1].angle": 1184, "environment.wind.phases[1].turned": 1188, "environment.wind.phases[2].shift": 1200, "environment.wind.phases[2].cell": 1212, "environment.wind.phases[2].fineShift": 1216, "environment.wind.phases[2].fineCell": 1228, "environment.wind.phases[2].angle": 1232, "environment.wind.phases[2].turned": 1236, "environment.wind.phases[3].shift": 1248, "environment.wind.phases[3].cell": 1260, "environment.wind.phases[3].fineShift": 1264, "environment.wind.phases[3].fineCell": 1276, "environment.wind.phases[3].angle": 1280, "environment.wind.phases[3].turned": 1284, "environment.wind.phases[4].shift": 1296, "environment.wind.phases[4].cell": 1308, "environment.wind.phases[4].fineShift": 1312, "environment.wind.phases[4].fineCell": 1324, "environment.wind.phases[4].angle": 1328, "environment.wind.phases[4].turned": 1332, "environment.wind.phases[5].shift": 1344, "environment.wind.phases[5].cell": 1356, "environment.wind.phases[5].fineShift": 1360, "environment.wind.phases[5].fineCell": 1372, "environment.wind.phases[5].angle": 1376, "environment.wind.phases[5].turned": 1380, "environment.wind.phases[6].shift": 1392, "environment.wind.phases[6].cell": 1404, "environment.wind.phases[6].fineShift": 1408, "environment.wind.phases[6].fineCell": 1420, "environment.wind.phases[6].angle": 1424, "environment.wind.phases[6].turned": 1428, "environment.wind.phases[7].shift": 1440, "environment.wind.phases[7].cell": 1452, "environment.wind.phases[7].fineShift": 1456, "environment.wind.phases[7].fineCell": 1468, "environment.wind.phases[7].angle": 1472, "environment.wind.phases[7].turned": 1476, "patchCount": 1488, "bladeCount": 1492, "visibleCapacity": 1496, "maxTessellation": 1500, "sunDirection": 1504, "exposure": 1516, "sunColor": 1520, "debugMode": 1532, "skyColor": 1536, "fogDensity": 1548, "groundColor": 1552, "skyUp": 1568, "fixedTessellation": 1580, "clouds": 1584, "levelSteps.distance": 1600, "levelSteps.segments": 1616, "levelSteps.count": 1632, "updateRate.everyFrame": 1648, "updateRate.everyThird": 1652, "updateRate.longest": 1656, "updateRate.frame": 1660, "cover.low": 1664, "cover.cellsPerMetre": 1676, "cover.countX": 1680, "cover.countY": 1684, "cover.countZ": 1688, "cover.farthest": 1692, "cover.undergrowth": 1696, "cover.thatch": 1708, "cover.sward": 1712, "cover.thinned": 1724, "cover.structure": 1728, "cover.stepsPerMetre": 1732, "cover.leaves[0]": 1744, "cover.leaves[1]": 1760, "cover.leaves[2]": 1776, "cover.leaves[3]": 1792, "cover.leaves[4]": 1808, "cover.leaves[5]": 1824, "cover.leaves[6]": 1840, "cover.leaves[7]": 1856, "shadow.across": 1872, "shadow.down": 1888, "shadow.depth": 1904, "shadow.size": 1920, "shadow.texel": 1924, "shadow.epsilon": 1928, "shadow.reserved": 1932, "bladeShadow.across": 1936, "bladeShadow.down": 1952, "bladeShadow.depth": 1968, "bladeShadow.size": 1984, "bladeShadow.nearer": 1988, "fogFalloff": 2e3, "lowSun": 2004, "tick": 2008, "floorPlane.middle": 2016, "floorPlane.reach": 2028, "floorPlane.along": 2032, "floorPlane.height": 2044, "floorPlane.halfSides": 2048, "floorPlane.cornerRadius": 2056, "reserved[0]": 2064, "reserved[1]": 2080, "reserved[2]": 2096, "reserved[3]": 2112, "reserved[4]": 2128, "reserved[5]": 2144, "reserved[6]": 2160, "reserved[7]": 2176, "reserved[8]": 2192, "reserved[9]": 2208, "reserved[10]": 2224, "reserved[11]": 2240, "reserved[12]": 2256, "reserved[13]": 2272, "reserved[14]": 2288, "reserved[15]": 2304, "reserved[16]": 2320, "reserved[17]": 2336, "reserved[18]": 2352, "reserved[19]": 2368, "reserved[20]": 2384, "reserved[21]": 2400, "reserved[22]": 2416, "reserved[23]": 2432, "reserved[24]": 2448, "reserved[25]": 2464, "reserved[26]": 2480, "reserved[27]": 2496, "reserved[28]": 2512, "reserved[29]": 2528, "reserved[30]": 2544, "reserved[31]": 2560, "reserved[32]": 2576, "reserved[33]": 2592, "reserved[34]": 2608, "reserved[35]": 2624 };
+var looksBytes = 4608;
+var looksLayout = { "species[0].rootColor": 0, "species[0].tipThreshold": 12, "species[0].tipColor": 16, "species[0].groundTint": 28, "species[0].colorVariation": 32, "species[0].translucency": 36, "species[0].gloss": 40, "species[0].dryness": 44, "species[0].shape": 48, "species[0].fold": 52, "species[0].firstOrgan": 56, "species[0].organKinds": 60, "species[1].rootColor": 64, "species[1].tipThreshold": 76, "species[1].tipColor": 80, "species[1].groundTint": 92, "species[1].colorVariation": 96, "species[1].translucency": 100, "species[1].gloss": 104, "species[1].dryness": 108, "species[1].shape": 112, "species[1].fold": 116, "species[1].firstOrgan": 120, "species[1].organKinds": 124, "species[2].rootColor": 128, "species[2].tipThreshold": 140, "species[2].tipColor": 144, "species[2].groundTint": 156, "species[2].colorVariation": 160, "species[2].translucency": 164, "species[2].gloss": 168, "species[2].dryness": 172, "species[2].shape": 176, "species[2].fold": 180, "species[2].firstOrgan": 184, "species[2].organKinds": 188, "species[3].rootColor": 192, "species[3].tipThreshold": 204, "species[3].tipColor": 208, "species[3].groundTint": 220, "species[3].colorVariation": 224, "species[3].translucency": 228, "species[3].gloss": 232, "species[3].dryness": 236, "species[3].shape": 240, "species[3].fold": 244, "species[3].firstOrgan": 248, "species[3].organKinds": 252, "species[4].rootColor": 256, "species[4].tipThreshold": 268, "species[4].tipColor": 272, "species[4].groundTint": 284, "species[4].colorVariation": 288, "species[4].translucency": 292, "species[4].gloss": 296, "species[4].dryness": 300, "species[4].shape": 304, "species[4].fold": 308, "species[4].firstOrgan": 312, "species[4].organKinds": 316, "species[5].rootColor": 320, "species[5].tipThreshold": 332, "species[5].tipColor": 336, "species[5].groundTint": 348, "species[5].colorVariation": 352, "species[5].translucency": 356, "species[5].gloss": 360, "species[5].dryness": 364, "species[5].shape": 368, "species[5].fold": 372, "species[5].firstOrgan": 376, "species[5].organKinds": 380, "species[6].rootColor": 384, "species[6].tipThreshold": 396, "species[6].tipColor": 400, "species[6].groundTint": 412, "species[6].colorVariation": 416, "species[6].translucency": 420, "species[6].gloss": 424, "species[6].dryness": 428, "species[6].shape": 432, "species[6].fold": 436, "species[6].firstOrgan": 440, "species[6].organKinds": 444, "species[7].rootColor": 448, "species[7].tipThreshold": 460, "species[7].tipColor": 464, "species[7].groundTint": 476, "species[7].colorVariation": 480, "species[7].translucency": 484, "species[7].gloss": 488, "species[7].dryness": 492, "species[7].shape": 496, "species[7].fold": 500, "species[7].firstOrgan": 504, "species[7].organKinds": 508, "organs[0].look.rootColor": 512, "organs[0].look.tipThreshold": 524, "organs[0].look.tipColor": 528, "organs[0].look.groundTint": 540, "organs[0].look.colorVariation": 544, "organs[0].look.translucency": 548, "organs[0].look.gloss": 552, "organs[0].look.dryness": 556, "organs[0].look.shape": 560, "organs[0].look.fold": 564, "organs[0].look.firstOrgan": 568, "organs[0].look.organKinds": 572, "organs[0].count": 576, "organs[0].place": 584, "organs[0].pitch": 592, "organs[0].size": 600, "organs[0].width": 608, "organs[0].azimuth": 612, "organs[0].turn": 616, "organs[0].bend": 620, "organs[0].leg": 624, "organs[0].variation": 628, "organs[1].look.rootColor": 640, "organs[1].look.tipThreshold": 652, "organs[1].look.tipColor": 656, "organs[1].look.groundTint": 668, "organs[1].look.colorVariation": 672, "organs[1].look.translucency": 676, "organs[1].look.gloss": 680, "organs[1].look.dryness": 684, "organs[1].look.shape": 688, "organs[1].look.fold": 692, "organs[1].look.firstOrgan": 696, "organs[1].look.organKinds": 700, "organs[1].count": 704, "organs[1].place": 712, "organs[1].pitch": 720, "organs[1].size": 728, "organs[1].width": 736, "organs[1].azimuth": 740, "organs[1].turn": 744, "organs[1].bend": 748, "organs[1].leg": 752, "organs[1].variation": 756, "organs[2].look.rootColor": 768, "organs[2].look.tipThreshold": 780, "organs[2].look.tipColor": 784, "organs[2].look.groundTint": 796, "organs[2].look.colorVariation": 800, "organs[2].look.translucency": 804, "organs[2].look.gloss": 808, "organs[2].look.dryness": 812, "organs[2].look.shape": 816, "organs[2].look.fold": 820, "organs[2].look.firstOrgan": 824, "organs[2].look.organKinds": 828, "organs[2].count": 832, "organs[2].place": 840, "organs[2].pitch": 848, "organs[2].size": 856, "organs[2].width": 864, "organs[2].azimuth": 868, "organs[2].turn": 872, "organs[2].bend": 876, "organs[2].leg": 880, "organs[2].variation": 884, "organs[3].look.rootColor": 896, "organs[3].look.tipThreshold": 908, "organs[3].look.tipColor": 912, "organs[3].look.groundTint": 924, "organs[3].look.colorVariation": 928, "organs[3].look.translucency": 932, "organs[3].look.gloss": 936, "organs[3].look.dryness": 940, "organs[3].look.shape": 944, "organs[3].look.fold": 948, "organs[3].look.firstOrgan": 952, "organs[3].look.organKinds": 956, "organs[3].count": 960, "organs[3].place": 968, "organs[3].pitch": 976, "organs[3].size": 984, "organs[3].width": 992, "organs[3].azimuth": 996, "organs[3].turn": 1e3, "organs[3].bend": 1004, "organs[3].leg": 1008, "organs[3].variation": 1012, "organs[4].look.rootColor": 1024, "organs[4].look.tipThreshold": 1036, "organs[4].look.tipColor": 1040, "organs[4].look.groundTint": 1052, "organs[4].look.colorVariation": 1056, "organs[4].look.translucency": 1060, "organs[4].look.gloss": 1064, "organs[4].look.dryness": 1068, "organs[4].look.shape": 1072, "organs[4].look.fold": 1076, "organs[4].look.firstOrgan": 1080, "organs[4].look.organKinds": 1084, "organs[4].count": 1088, "organs[4].place": 1096, "organs[4].pitch": 1104, "organs[4].size": 1112, "organs[4].width": 1120, "organs[4].azimuth": 1124, "organs[4].turn": 1128, "organs[4].bend": 1132, "organs[4].leg": 1136, "organs[4].variation": 1140, "organs[5].look.rootColor": 1152, "organs[5].look.tipThreshold": 1164, "organs[5].look.tipColor": 1168, "organs[5].look.groundTint": 1180, "organs[5].look.colorVariation": 1184, "organs[5].look.translucency": 1188, "organs[5].look.gloss": 1192, "organs[5].look.dryness": 1196, "organs[5].look.shape": 1200, "organs[5].look.fold": 1204, "organs[5].look.firstOrgan": 1208, "organs[5].look.organKinds": 1212, "organs[5].count": 1216, "organs[5].place": 1224, "organs[5].pitch": 1232, "organs[5].size": 1240, "organs[5].width": 1248, "organs[5].azimuth": 1252, "organs[5].turn": 1256, "organs[5].bend": 1260, "organs[5].leg": 1264, "organs[5].variation": 1268, "organs[6].look.rootColor": 1280, "organs[6].look.tipThreshold": 1292, "organs[6].look.tipColor": 1296, "organs[6].look.groundTint": 1308, "organs[6].look.colorVariation": 1312, "organs[6].look.translucency": 1316, "organs[6].look.gloss": 1320, "organs[6].look.dryness": 1324, "organs[6].look.shape": 1328, "organs[6].look.fold": 1332, "organs[6].look.firstOrgan": 1336, "organs[6].look.organKinds": 1340, "organs[6].count": 1344, "organs[6].place": 1352, "organs[6].pitch": 1360, "organs[6].size": 1368, "organs[6].width": 1376, "organs[6].azimuth": 1380, "organs[6].turn": 1384, "organs[6].bend": 1388, "organs[6].leg": 1392, "organs[6].variation": 1396, "organs[7].look.rootColor": 1408, "organs[7].look.tipThreshold": 1420, "organs[7].look.tipColor": 1424, "organs[7].look.groundTint": 1436, "organs[7].look.colorVariation": 1440, "organs[7].look.translucency": 1444, "organs[7].look.gloss": 1448, "organs[7].look.dryness": 1452, "organs[7].look.shape": 1456, "organs[7].look.fold": 1460, "organs[7].look.firstOrgan": 1464, "organs[7].look.organKinds": 1468, "organs[7].count": 1472, "organs[7].place": 1480, "organs[7].pitch": 1488, "organs[7].size": 1496, "organs[7].width": 1504, "organs[7].azimuth": 1508, "organs[7].turn": 1512, "organs[7].bend": 1516, "organs[7].leg": 1520, "organs[7].variation": 1524, "organs[8].look.rootColor": 1536, "organs[8].look.tipThreshold": 1548, "organs[8].look.tipColor": 1552, "organs[8].look.groundTint": 1564, "organs[8].look.colorVariation": 1568, "organs[8].look.translucency": 1572, "organs[8].look.gloss": 1576, "organs[8].look.dryness": 1580, "organs[8].look.shape": 1584, "organs[8].look.fold": 1588, "organs[8].look.firstOrgan": 1592, "organs[8].look.organKinds": 1596, "organs[8].count": 1600, "organs[8].place": 1608, "organs[8].pitch": 1616, "organs[8].size": 1624, "organs[8].width": 1632, "organs[8].azimuth": 1636, "organs[8].turn": 1640, "organs[8].bend": 1644, "organs[8].leg": 1648, "organs[8].variation": 1652, "organs[9].look.rootColor": 1664, "organs[9].look.tipThreshold": 1676, "organs[9].look.tipColor": 1680, "organs[9].look.groundTint": 1692, "organs[9].look.colorVariation": 1696, "organs[9].look.translucency": 1700, "organs[9].look.gloss": 1704, "organs[9].look.dryness": 1708, "organs[9].look.shape": 1712, "organs[9].look.fold": 1716, "organs[9].look.firstOrgan": 1720, "organs[9].look.organKinds": 1724, "organs[9].count": 1728, "organs[9].place": 1736, "organs[9].pitch": 1744, "organs[9].size": 1752, "organs[9].width": 1760, "organs[9].azimuth": 1764, "organs[9].turn": 1768, "organs[9].bend": 1772, "organs[9].leg": 1776, "organs[9].variation": 1780, "organs[10].look.rootColor": 1792, "organs[10].look.tipThreshold": 1804, "organs[10].look.tipColor": 1808, "organs[10].look.groundTint": 1820, "organs[10].look.colorVariation": 1824, "organs[10].look.translucency": 1828, "organs[10].look.gloss": 1832, "organs[10].look.dryness": 1836, "organs[10].look.shape": 1840, "organs[10].look.fold": 1844, "organs[10].look.firstOrgan": 1848, "organs[10].look.organKinds": 1852, "organs[10].count": 1856, "organs[10].place": 1864, "organs[10].pitch": 1872, "organs[10].size": 1880, "organs[10].width": 1888, "organs[10].azimuth": 1892, "organs[10].turn": 1896, "organs[10].bend": 1900, "organs[10].leg": 1904, "organs[10].variation": 1908, "organs[11].look.rootColor": 1920, "organs[11].look.tipThreshold": 1932, "organs[11].look.tipColor": 1936, "organs[11].look.groundTint": 1948, "organs[11].look.colorVariation": 1952, "organs[11].look.translucency": 1956, "organs[11].look.gloss": 1960, "organs[11].look.dryness": 1964, "organs[11].look.shape": 1968, "organs[11].look.fold": 1972, "organs[11].look.firstOrgan": 1976, "organs[11].look.organKinds": 1980, "organs[11].count": 1984, "organs[11].place": 1992, "organs[11].pitch": 2e3, "organs[11].size": 2008, "organs[11].width": 2016, "organs[11].azimuth": 2020, "organs[11].turn": 2024, "organs[11].bend": 2028, "organs[11].leg": 2032, "organs[11].variation": 2036, "organs[12].look.rootColor": 2048, "organs[12].look.tipThreshold": 2060, "organs[12].look.tipColor": 2064, "organs[12].look.groundTint": 2076, "organs[12].look.colorVariation": 2080, "organs[12].look.translucency": 2084, "organs[12].look.gloss": 2088, "organs[12].look.dryness": 2092, "organs[12].look.shape": 2096, "organs[12].look.fold": 2100, "organs[12].look.firstOrgan": 2104, "organs[12].look.organKinds": 2108, "organs[12].count": 2112, "organs[12].place": 2120, "organs[12].pitch": 2128, "organs[12].size": 2136, "organs[12].width": 2144, "organs[12].azimuth": 2148, "organs[12].turn": 2152, "organs[12].bend": 2156, "organs[12].leg": 2160, "organs[12].variation": 2164, "organs[13].look.rootColor": 2176, "organs[13].look.tipThreshold": 2188, "organs[13].look.tipColor": 2192, "organs[13].look.groundTint": 2204, "organs[13].look.colorVariation": 2208, "organs[13].look.translucency": 2212, "organs[13].look.gloss": 2216, "organs[13].look.dryness": 2220, "organs[13].look.shape": 2224, "organs[13].look.fold": 2228, "organs[13].look.firstOrgan": 2232, "organs[13].look.organKinds": 2236, "organs[13].count": 2240, "organs[13].place": 2248, "organs[13].pitch": 2256, "organs[13].size": 2264, "organs[13].width": 2272, "organs[13].azimuth": 2276, "organs[13].turn": 2280, "organs[13].bend": 2284, "organs[13].leg": 2288, "organs[13].variation": 2292, "organs[14].look.rootColor": 2304, "organs[14].look.tipThreshold": 2316, "organs[14].look.tipColor": 2320, "organs[14].look.groundTint": 2332, "organs[14].look.colorVariation": 2336, "organs[14].look.translucency": 2340, "organs[14].look.gloss": 2344, "organs[14].look.dryness": 2348, "organs[14].look.shape": 2352, "organs[14].look.fold": 2356, "organs[14].look.firstOrgan": 2360, "organs[14].look.organKinds": 2364, "organs[14].count": 2368, "organs[14].place": 2376, "organs[14].pitch": 2384, "organs[14].size": 2392, "organs[14].width": 2400, "organs[14].azimuth": 2404, "organs[14].turn": 2408, "organs[14].bend": 2412, "organs[14].leg": 2416, "organs[14].variation": 2420, "organs[15].look.rootColor": 2432, "organs[15].look.tipThreshold": 2444, "organs[15].look.tipColor": 2448, "organs[15].look.groundTint": 2460, "organs[15].look.colorVariation": 2464, "organs[15].look.translucency": 2468, "organs[15].look.gloss": 2472, "organs[15].look.dryness": 2476, "organs[15].look.shape": 2480, "organs[15].look.fold": 2484, "organs[15].look.firstOrgan": 2488, "organs[15].look.organKinds": 2492, "organs[15].count": 2496, "organs[15].place": 2504, "organs[15].pitch": 2512, "organs[15].size": 2520, "organs[15].width": 2528, "organs[15].azimuth": 2532, "organs[15].turn": 2536, "organs[15].bend": 2540, "organs[15].leg": 2544, "organs[15].variation": 2548, "organs[16].look.rootColor": 2560, "organs[16].look.tipThreshold": 2572, "organs[16].look.tipColor": 2576, "organs[16].look.groundTint": 2588, "organs[16].look.colorVariation": 2592, "organs[16].look.translucency": 2596, "organs[16].look.gloss": 2600, "organs[16].look.dryness": 2604, "organs[16].look.shape": 2608, "organs[16].look.fold": 2612, "organs[16].look.firstOrgan": 2616, "organs[16].look.organKinds": 2620, "organs[16].count": 2624, "organs[16].place": 2632, "organs[16].pitch": 2640, "organs[16].size": 2648, "organs[16].width": 2656, "organs[16].azimuth": 2660, "organs[16].turn": 2664, "organs[16].bend": 2668, "organs[16].leg": 2672, "organs[16].variation": 2676, "organs[17].look.rootColor": 2688, "organs[17].look.tipThreshold": 2700, "organs[17].look.tipColor": 2704, "organs[17].look.groundTint": 2716, "organs[17].look.colorVariation": 2720, "organs[17].look.translucency": 2724, "organs[17].look.gloss": 2728, "organs[17].look.dryness": 2732, "organs[17].look.shape": 2736, "organs[17].look.fold": 2740, "organs[17].look.firstOrgan": 2744, "organs[17].look.organKinds": 2748, "organs[17].count": 2752, "organs[17].place": 2760, "organs[17].pitch": 2768, "organs[17].size": 2776, "organs[17].width": 2784, "organs[17].azimuth": 2788, "organs[17].turn": 2792, "organs[17].bend": 2796, "organs[17].leg": 2800, "organs[17].variation": 2804, "organs[18].look.rootColor": 2816, "organs[18].look.tipThreshold": 2828, "organs[18].look.tipColor": 2832, "organs[18].look.groundTint": 2844, "organs[18].look.colorVariation": 2848, "organs[18].look.translucency": 2852, "organs[18].look.gloss": 2856, "organs[18].look.dryness": 2860, "organs[18].look.shape": 2864, "organs[18].look.fold": 2868, "organs[18].look.firstOrgan": 2872, "organs[18].look.organKinds": 2876, "organs[18].count": 2880, "organs[18].place": 2888, "organs[18].pitch": 2896, "organs[18].size": 2904, "organs[18].width": 2912, "organs[18].azimuth": 2916, "organs[18].turn": 2920, "organs[18].bend": 2924, "organs[18].leg": 2928, "organs[18].variation": 2932, "organs[19].look.rootColor": 2944, "organs[19].look.tipThreshold": 2956, "organs[19].look.tipColor": 2960, "organs[19].look.groundTint": 2972, "organs[19].look.colorVariation": 2976, "organs[19].look.translucency": 2980, "organs[19].look.gloss": 2984, "organs[19].look.dryness": 2988, "organs[19].look.shape": 2992, "organs[19].look.fold": 2996, "organs[19].look.firstOrgan": 3e3, "organs[19].look.organKinds": 3004, "organs[19].count": 3008, "organs[19].place": 3016, "organs[19].pitch": 3024, "organs[19].size": 3032, "organs[19].width": 3040, "organs[19].azimuth": 3044, "organs[19].turn": 3048, "organs[19].bend": 3052, "organs[19].leg": 3056, "organs[19].variation": 3060, "organs[20].look.rootColor": 3072, "organs[20].look.tipThreshold": 3084, "organs[20].look.tipColor": 3088, "organs[20].look.groundTint": 3100, "organs[20].look.colorVariation": 3104, "organs[20].look.translucency": 3108, "organs[20].look.gloss": 3112, "organs[20].look.dryness": 3116, "organs[20].look.shape": 3120, "organs[20].look.fold": 3124, "organs[20].look.firstOrgan": 3128, "organs[20].look.organKinds": 3132, "organs[20].count": 3136, "organs[20].place": 3144, "organs[20].pitch": 3152, "organs[20].size": 3160, "organs[20].width": 3168, "organs[20].azimuth": 3172, "organs[20].turn": 3176, "organs[20].bend": 3180, "organs[20].leg": 3184, "organs[20].variation": 3188, "organs[21].look.rootColor": 3200, "organs[21].look.tipThreshold": 3212, "organs[21].look.tipColor": 3216, "organs[21].look.groundTint": 3228, "organs[21].look.colorVariation": 3232, "organs[21].look.translucency": 3236, "organs[21].look.gloss": 3240, "organs[21].look.dryness": 3244, "organs[21].look.shape": 3248, "organs[21].look.fold": 3252, "organs[21].look.firstOrgan": 3256, "organs[21].look.organKinds": 3260, "organs[21].count": 3264, "organs[21].place": 3272, "organs[21].pitch": 3280, "organs[21].size": 3288, "organs[21].width": 3296, "organs[21].azimuth": 3300, "organs[21].turn": 3304, "organs[21].bend": 3308, "organs[21].leg": 3312, "organs[21].variation": 3316, "organs[22].look.rootColor": 3328, "organs[22].look.tipThreshold": 3340, "organs[22].look.tipColor": 3344, "organs[22].look.groundTint": 3356, "organs[22].look.colorVariation": 3360, "organs[22].look.translucency": 3364, "organs[22].look.gloss": 3368, "organs[22].look.dryness": 3372, "organs[22].look.shape": 3376, "organs[22].look.fold": 3380, "organs[22].look.firstOrgan": 3384, "organs[22].look.organKinds": 3388, "organs[22].count": 3392, "organs[22].place": 3400, "organs[22].pitch": 3408, "organs[22].size": 3416, "organs[22].width": 3424, "organs[22].azimuth": 3428, "organs[22].turn": 3432, "organs[22].bend": 3436, "organs[22].leg": 3440, "organs[22].variation": 3444, "organs[23].look.rootColor": 3456, "organs[23].look.tipThreshold": 3468, "organs[23].look.tipColor": 3472, "organs[23].look.groundTint": 3484, "organs[23].look.colorVariation": 3488, "organs[23].look.translucency": 3492, "organs[23].look.gloss": 3496, "organs[23].look.dryness": 3500, "organs[23].look.shape": 3504, "organs[23].look.fold": 3508, "organs[23].look.firstOrgan": 3512, "organs[23].look.organKinds": 3516, "organs[23].count": 3520, "organs[23].place": 3528, "organs[23].pitch": 3536, "organs[23].size": 3544, "organs[23].width": 3552, "organs[23].azimuth": 3556, "organs[23].turn": 3560, "organs[23].bend": 3564, "organs[23].leg": 3568, "organs[23].variation": 3572, "organs[24].look.rootColor": 3584, "organs[24].look.tipThreshold": 3596, "organs[24].look.tipColor": 3600, "organs[24].look.groundTint": 3612, "organs[24].look.colorVariation": 3616, "organs[24].look.translucency": 3620, "organs[24].look.gloss": 3624, "organs[24].look.dryness": 3628, "organs[24].look.shape": 3632, "organs[24].look.fold": 3636, "organs[24].look.firstOrgan": 3640, "organs[24].look.organKinds": 3644, "organs[24].count": 3648, "organs[24].place": 3656, "organs[24].pitch": 3664, "organs[24].size": 3672, "organs[24].width": 3680, "organs[24].azimuth": 3684, "organs[24].turn": 3688, "organs[24].bend": 3692, "organs[24].leg": 3696, "organs[24].variation": 3700, "organs[25].look.rootColor": 3712, "organs[25].look.tipThreshold": 3724, "organs[25].look.tipColor": 3728, "organs[25].look.groundTint": 3740, "organs[25].look.colorVariation": 3744, "organs[25].look.translucency": 3748, "organs[25].look.gloss": 3752, "organs[25].look.dryness": 3756, "organs[25].look.shape": 3760, "organs[25].look.fold": 3764, "organs[25].look.firstOrgan": 3768, "organs[25].look.organKinds": 3772, "organs[25].count": 3776, "organs[25].place": 3784, "organs[25].pitch": 3792, "organs[25].size": 3800, "organs[25].width": 3808, "organs[25].azimuth": 3812, "organs[25].turn": 3816, "organs[25].bend": 3820, "organs[25].leg": 3824, "organs[25].variation": 3828, "organs[26].look.rootColor": 3840, "organs[26].look.tipThreshold": 3852, "organs[26].look.tipColor": 3856, "organs[26].look.groundTint": 3868, "organs[26].look.colorVariation": 3872, "organs[26].look.translucency": 3876, "organs[26].look.gloss": 3880, "organs[26].look.dryness": 3884, "organs[26].look.shape": 3888, "organs[26].look.fold": 3892, "organs[26].look.firstOrgan": 3896, "organs[26].look.organKinds": 3900, "organs[26].count": 3904, "organs[26].place": 3912, "organs[26].pitch": 3920, "organs[26].size": 3928, "organs[26].width": 3936, "organs[26].azimuth": 3940, "organs[26].turn": 3944, "organs[26].bend": 3948, "organs[26].leg": 3952, "organs[26].variation": 3956, "organs[27].look.rootColor": 3968, "organs[27].look.tipThreshold": 3980, "organs[27].look.tipColor": 3984, "organs[27].look.groundTint": 3996, "organs[27].look.colorVariation": 4e3, "organs[27].look.translucency": 4004, "organs[27].look.gloss": 4008, "organs[27].look.dryness": 4012, "organs[27].look.shape": 4016, "organs[27].look.fold": 4020, "organs[27].look.firstOrgan": 4024, "organs[27].look.organKinds": 4028, "organs[27].count": 4032, "organs[27].place": 4040, "organs[27].pitch": 4048, "organs[27].size": 4056, "organs[27].width": 4064, "organs[27].azimuth": 4068, "organs[27].turn": 4072, "organs[27].bend": 4076, "organs[27].leg": 4080, "organs[27].variation": 4084, "organs[28].look.rootColor": 4096, "organs[28].look.tipThreshold": 4108, "organs[28].look.tipColor": 4112, "organs[28].look.groundTint": 4124, "organs[28].look.colorVariation": 4128, "organs[28].look.translucency": 4132, "organs[28].look.gloss": 4136, "organs[28].look.dryness": 4140, "organs[28].look.shape": 4144, "organs[28].look.fold": 4148, "organs[28].look.firstOrgan": 4152, "organs[28].look.organKinds": 4156, "organs[28].count": 4160, "organs[28].place": 4168, "organs[28].pitch": 4176, "organs[28].size": 4184, "organs[28].width": 4192, "organs[28].azimuth": 4196, "organs[28].turn": 4200, "organs[28].bend": 4204, "organs[28].leg": 4208, "organs[28].variation": 4212, "organs[29].look.rootColor": 4224, "organs[29].look.tipThreshold": 4236, "organs[29].look.tipColor": 4240, "organs[29].look.groundTint": 4252, "organs[29].look.colorVariation": 4256, "organs[29].look.translucency": 4260, "organs[29].look.gloss": 4264, "organs[29].look.dryness": 4268, "organs[29].look.shape": 4272, "organs[29].look.fold": 4276, "organs[29].look.firstOrgan": 4280, "organs[29].look.organKinds": 4284, "organs[29].count": 4288, "organs[29].place": 4296, "organs[29].pitch": 4304, "organs[29].size": 4312, "organs[29].width": 4320, "organs[29].azimuth": 4324, "organs[29].turn": 4328, "organs[29].bend": 4332, "organs[29].leg": 4336, "organs[29].variation": 4340, "organs[30].look.rootColor": 4352, "organs[30].look.tipThreshold": 4364, "organs[30].look.tipColor": 4368, "organs[30].look.groundTint": 4380, "organs[30].look.colorVariation": 4384, "organs[30].look.translucency": 4388, "organs[30].look.gloss": 4392, "organs[30].look.dryness": 4396, "organs[30].look.shape": 4400, "organs[30].look.fold": 4404, "organs[30].look.firstOrgan": 4408, "organs[30].look.organKinds": 4412, "organs[30].count": 4416, "organs[30].place": 4424, "organs[30].pitch": 4432, "organs[30].size": 4440, "organs[30].width": 4448, "organs[30].azimuth": 4452, "organs[30].turn": 4456, "organs[30].bend": 4460, "organs[30].leg": 4464, "organs[30].variation": 4468, "organs[31].look.rootColor": 4480, "organs[31].look.tipThreshold": 4492, "organs[31].look.tipColor": 4496, "organs[31].look.groundTint": 4508, "organs[31].look.colorVariation": 4512, "organs[31].look.translucency": 4516, "organs[31].look.gloss": 4520, "organs[31].look.dryness": 4524, "organs[31].look.shape": 4528, "organs[31].look.fold": 4532, "organs[31].look.firstOrgan": 4536, "organs[31].look.organKinds": 4540, "organs[31].count": 4544, "organs[31].place": 4552, "organs[31].pitch": 4560, "organs[31].size": 4568, "organs[31].width": 4576, "organs[31].azimuth": 4580, "organs[31].turn": 4584, "organs[31].bend": 4588, "organs[31].leg": 4592, "organs[31].variation": 4596 };
+
+// src/generated/shaders.ts
+var pieces = [
+  // web/shaders/blades.glsl
+  "#ifndef SWARD_WEB_BLADES_GLSL\n#define SWARD_WEB_BLADES_GLSL\n",
+  // web/shaders/frame.glsl
+  "#ifndef SWARD_WEB_FRAME_GLSL\n#define SWARD_WEB_FRAME_GLSL\n",
+  // shaders/shared/frame.h
+  "#ifndef SWARD_SHARED_FRAME_H\n#define SWARD_SHARED_FRAME_H\n",
+  // shaders/shared/blade.h
+  "#ifndef SWARD_SHARED_BLADE_H\n#define SWARD_SHARED_BLADE_H\n",
+  // shaders/shared/noise.h
+  "#ifndef SWARD_SHARED_NOISE_H\n#define SWARD_SHARED_NOISE_H\n",
+  // shaders/shared/noise.h
+  "uint mixUint(uint x)\n{\nx ^= x >> 16u;\nx *= 0x7feb352du;\nx ^= x >> 15u;\nx *= 0x846ca68bu;\nx ^= x >> 16u;\nreturn x;\n}\nconst uint latticeX = 0x9e3779b1u;\nconst uint latticeY = 0x85ebca77u;\nconst uint latticeZ = 0xc2b2ae3du;\nuint latticePoint(int x, int y, int z)\n{\nreturn uint(x) * latticeX + uint(y) * latticeY + uint(z) * latticeZ;\n}\nfloat latticeHeight(uint point)\n{\npoint ^= point >> 11u;\npoint *= 0x31848babu;\nreturn float(point);\n}\nconst float latticeUnit = 1.0f / 4294967296.0f;\nfloat latticeValue(int x, int y, int z)\n{\nreturn latticeUnit * latticeHeight(latticePoint(x, y, z));\n}\nfloat valueNoiseFrom(uint origin, vec3 p)\n{\nvec3 cell = floor(p);\nvec3 f = p - cell;\nvec3 s = f * f * (vec3(3.0f) - 2.0f * f);\nuint near = origin + latticePoint(int(cell.x), int(cell.y), int(cell.z));\nuint far = near + latticeZ;\nfloat nearHeight = mix(\nmix(latticeHeight(near), latticeHeight(near + latticeX), s.x),\nmix(latticeHeight(near + latticeY), latticeHeight(near + latticeX + latticeY), s.x), s.y);\nfloat farHeight =\nmix(mix(latticeHeight(far), latticeHeight(far + latticeX), s.x),\nmix(latticeHeight(far + latticeY), latticeHeight(far + latticeX + latticeY), s.x), s.y);\nreturn latticeUnit * mix(nearHeight, farHeight, s.z);\n}\nfloat valueNoise(vec3 p)\n{\nreturn valueNoiseFrom(0u, p);\n}\nvec4 valueNoiseSlope(vec3 p)\n{\nvec3 cell = floor(p);\nvec3 f = p - cell;\nvec3 s = f * f * (vec3(3.0f) - 2.0f * f);\nvec3 slope = 6.0f * f * (vec3(1.0f) - f);\nuint near = latticePoint(int(cell.x), int(cell.y), int(cell.z));\nuint far = near + latticeZ;\nfloat h000 = latticeHeight(near);\nfloat h010 = latticeHeight(near + latticeY);\nfloat h001 = latticeHeight(far);\nfloat h011 = latticeHeight(far + latticeY);\nfloat d00 = latticeHeight(near + latticeX) - h000;\nfloat d10 = latticeHeight(near + latticeX + latticeY) - h010;\nfloat d01 = latticeHeight(far + latticeX) - h001;\nfloat d11 = latticeHeight(far + latticeX + latticeY) - h011;\nfloat h00 = h000 + s.x * d00;\nfloat h10 = h010 + s.x * d10;\nfloat h01 = h001 + s.x * d01;\nfloat h11 = h011 + s.x * d11;\nfloat h0 = mix(h00, h10, s.y);\nfloat h1 = mix(h01, h11, s.y);\nreturn latticeUnit * vec4(slope.x * mix(mix(d00, d10, s.y), mix(d01, d11, s.y), s.z),\nslope.y * mix(h10 - h00, h11 - h01, s.z), slope.z * (h1 - h0),\nmix(h0, h1, s.z));\n}\n#endif\n",
+  // shaders/shared/octahedral.h
+  "#ifndef SWARD_SHARED_OCTAHEDRAL_H\n#define SWARD_SHARED_OCTAHEDRAL_H\n",
+  // shaders/shared/octahedral.h
+  "const float octahedralMaxError = 0.0112f;\nfloat signNotZero(float x)\n{\nreturn x >= 0.0f ? 1.0f : -1.0f;\n}\nvec2 unfolded(vec3 v)\n{\nfloat scale = 1.0f / (abs(v.x) + abs(v.y) + abs(v.z));\nfloat x = v.x * scale;\nfloat y = v.y * scale;\nreturn v.z < 0.0f ? vec2((1.0f - abs(y)) * signNotZero(x), (1.0f - abs(x)) * signNotZero(y))\n: vec2(x, y);\n}\nvec3 folded(float x, float y)\n{\nfloat z = 1.0f - abs(x) - abs(y);\nvec3 v =\nz >= 0.0f ? vec3(x, y, z)\n: vec3((1.0f - abs(y)) * signNotZero(x), (1.0f - abs(x)) * signNotZero(y), z);\nreturn normalize(v);\n}\nvec3 decodeOctahedral(uint bits)\n{\nreturn folded(float(int(bits & 255u) - 127) * (1.0f / 127.0f),\nfloat(int((bits >> 8u) & 255u) - 127) * (1.0f / 127.0f));\n}\nuint encodeOctahedral(vec3 v)\n{\nvec2 place = unfolded(v);\nfloat x0 = floor(clamp(place.x, -1.0f, 1.0f) * 127.0f) + 127.0f;\nfloat y0 = floor(clamp(place.y, -1.0f, 1.0f) * 127.0f) + 127.0f;\nuint best = 0u;\nfloat bestCosine = -2.0f;\nfor (uint corner = 0u; corner < 4u; ++corner) {\nuint xi = uint(min(x0 + float(corner & 1u), 254.0f));\nuint yi = uint(min(y0 + float(corner >> 1u), 254.0f));\nuint candidate = xi | (yi << 8u);\nfloat cosine = dot(decodeOctahedral(candidate), v);\nif (cosine > bestCosine) {\nbestCosine = cosine;\nbest = candidate;\n}\n}\nreturn best;\n}\nuint packSnorm16(float x)\n{\nreturn uint(int(floor(clamp(x, -1.0f, 1.0f) * 32767.0f + 0.5f))) & 65535u;\n}\nfloat unpackSnorm16(uint bits)\n{\nreturn float((int(bits & 65535u) ^ 32768) - 32768) * (1.0f / 32767.0f);\n}\nconst float wideOctahedralMaxError = 7e-5f;\nuint encodeWideOctahedral(vec3 v)\n{\nvec2 place = unfolded(v);\nreturn packSnorm16(place.x) | (packSnorm16(place.y) << 16u);\n}\nvec3 decodeWideOctahedral(uint bits)\n{\nreturn folded(unpackSnorm16(bits), unpackSnorm16(bits >> 16u));\n}\nvec3 tangentOf(vec3 n)\n{\nfloat s = signNotZero(n.z);\nfloat a = -1.0f / (s + n.z);\nreturn vec3(1.0f + s * n.x * n.x * a, s * n.x * n.y * a, -s * n.x);\n}\nvec3 bitangentOf(vec3 n)\n{\nfloat s = signNotZero(n.z);\nfloat a = -1.0f / (s + n.z);\nreturn vec3(n.x * n.y * a, s + n.y * n.y * a, -n.y);\n}\n#endif\n",
+  // shaders/shared/patch.h
+  "#ifndef SWARD_SHARED_PATCH_H\n#define SWARD_SHARED_PATCH_H\n",
+  // shaders/shared/patch.h
+  "const uint maxPatchBlades = 512u;\nconst uint noPatch = 0xffffffffu;\nstruct Patch {\nvec3 boundsLow;\nuint firstBlade;\nvec3 boundsHigh;\nuint bladeCount;\nvec3 rootLow;\nfloat rootStep;\nvec3 coneAxis;\nfloat coneCosine;\nfloat heightLow;\nfloat heightStep;\nfloat widthLow;\nfloat widthStep;\nuint parent;\nuint firstChild;\nuint childCount;\nuint level;\nfloat rankLow;\nfloat rankHigh;\n};\nstruct PatchArray { uint none; };\nPatch fetchPatchArray(uint i);\n#endif\n",
+  // shaders/shared/blade.h
+  "const float twoPi = 6.28318530717958647692f;\nstruct PackedBlade {\nuint rootXY;\nuint rootZUp;\nuint shape;\nuint look;\n};\nstruct BladeArray { uint none; };\nPackedBlade fetchBladeArray(uint i);\nstruct Blade {\nvec3 root;\nfloat facing;\nvec3 up;\nfloat stiffness;\nfloat height;\nfloat width;\nfloat exposure;\nuint species;\nvec3 tint;\nuint clump;\nuint hash;\nuint seed;\n};\nconst uint driedClump = 255u;\nconst float facingMaxError = 0.01228f;\nconst float stiffnessMaxError = 0.00794f;\nconst float exposureMaxError = 0.01613f;\nconst float tintMaxError = 0.01613f;\nuint quantise(float x, float low, float step, uint largest)\n{\nif (step <= 0.0f)\nreturn 0u;\nreturn uint(clamp(floor((x - low) / step + 0.5f), 0.0f, float(largest)));\n}\nuint seedOf(PackedBlade bits)\n{\nuint kept = (bits.shape & 0xffc000ffu) ^ ((bits.rootZUp >> 16u) << 8u);\nreturn mixUint(kept + bits.look * 0x9e3779b9u) >> 16u;\n}\nPackedBlade packBladeWith(Blade blade, Patch cell, uint up)\n{\nuint x = quantise(blade.root.x, cell.rootLow.x, cell.rootStep, 65535u);\nuint y = quantise(blade.root.y, cell.rootLow.y, cell.rootStep, 65535u);\nuint z = quantise(blade.root.z, cell.rootLow.z, cell.rootStep, 65535u);\nuint facing = uint(int(floor(blade.facing * (256.0f / twoPi) + 0.5f))) & 255u;\nuint height = quantise(blade.height, cell.heightLow, cell.heightStep, 255u);\nuint width = quantise(blade.width, cell.widthLow, cell.widthStep, 63u);\nuint stiffness = quantise(blade.stiffness, 0.0f, 1.0f / 63.0f, 63u);\nuint exposure = quantise(blade.exposure, 0.0f, 1.0f / 31.0f, 31u);\nuint red = quantise(blade.tint.x, 0.0f, 1.0f / 31.0f, 31u);\nuint green = quantise(blade.tint.y, 0.0f, 1.0f / 63.0f, 63u);\nuint blue = quantise(blade.tint.z, 0.0f, 1.0f / 31.0f, 31u);\nPackedBlade bits;\nbits.rootXY = x | (y << 16u);\nbits.rootZUp = z | (up << 16u);\nbits.shape =\nfacing | (height << 8u) | (width << 16u) | (stiffness << 22u) | ((blade.hash & 15u) << 28u);\nbits.look = red | (green << 5u) | (blue << 11u) | (exposure << 16u) |\n((blade.species & 7u) << 21u) | ((blade.clump & 255u) << 24u);\nreturn bits;\n}\nPackedBlade packBlade(Blade blade, Patch cell)\n{\nreturn packBladeWith(blade, cell, encodeOctahedral(blade.up));\n}\nBlade unpackBlade(PackedBlade bits, Patch cell)\n{\nBlade blade;\nblade.root =\ncell.rootLow + cell.rootStep * vec3(float(bits.rootXY & 65535u), float(bits.rootXY >> 16u),\nfloat(bits.rootZUp & 65535u));\nblade.up = decodeOctahedral(bits.rootZUp >> 16u);\nblade.facing = float(bits.shape & 255u) * (twoPi / 256.0f);\nblade.height = cell.heightLow + cell.heightStep * float((bits.shape >> 8u) & 255u);\nblade.width = cell.widthLow + cell.widthStep * float((bits.shape >> 16u) & 63u);\nblade.stiffness = float((bits.shape >> 22u) & 63u) * (1.0f / 63.0f);\nblade.hash = bits.shape >> 28u;\nblade.tint = vec3(float(bits.look & 31u) * (1.0f / 31.0f),\nfloat((bits.look >> 5u) & 63u) * (1.0f / 63.0f),\nfloat((bits.look >> 11u) & 31u) * (1.0f / 31.0f));\nblade.exposure = float((bits.look >> 16u) & 31u) * (1.0f / 31.0f);\nblade.species = (bits.look >> 21u) & 7u;\nblade.clump = bits.look >> 24u;\nblade.seed = seedOf(bits);\nreturn blade;\n}\nvec3 widthAxis(vec3 up, float facing)\n{\nreturn tangentOf(up) * cos(facing) + bitangentOf(up) * sin(facing);\n}\nvec3 frontOf(vec3 up, vec3 axis)\n{\nreturn cross(up, axis);\n}\nstruct BladeAxes {\nvec3 front;\nvec3 side;\nvec3 up;\n};\nBladeAxes axesAlong(vec3 up, vec3 axis)\n{\nBladeAxes axes;\naxes.front = frontOf(up, axis);\naxes.side = -axis;\naxes.up = up;\nreturn axes;\n}\nBladeAxes axesTowards(vec3 up, vec3 front)\n{\nBladeAxes axes;\naxes.front = front;\naxes.side = cross(up, front);\naxes.up = up;\nreturn axes;\n}\nvec3 alongAxes(BladeAxes axes, vec3 v)\n{\nreturn vec3(dot(v, axes.front), dot(v, axes.side), dot(v, axes.up));\n}\nvec3 inSpace(BladeAxes axes, vec3 v)\n{\nreturn v.x * axes.front + v.y * axes.side + v.z * axes.up;\n}\n#endif\n",
+  // shaders/shared/look/blade_shadow.h
+  "#ifndef SWARD_SHARED_LOOK_BLADE_SHADOW_H\n#define SWARD_SHARED_LOOK_BLADE_SHADOW_H\n",
+  // shaders/shared/look/blade_shadow.h
+  "const uint bladeShadowTexels = 1024u;\nconst float bladeShadowFade = 0.75f;\nstruct BladeShadowTable { uint none; };\nuvec2 fetchBladeShadowTable(uint i);\nbool isShaded(uvec2 texel, float depth, uint seed)\n{\nreturn texel.x != seed && uintBitsToFloat(texel.y) > depth;\n}\nstruct BladeShadow {\nvec4 across;\nvec4 down;\nvec4 depth;\nuint size;\nfloat nearer;\n};\nconst uint noBladeSeed = 0xffffffffu;\nvec2 sunAmongBlades(BladeShadow shadow, vec3 place, uint seed)\n{\nif (shadow.size == 0u)\nreturn vec2(1.0f, 0.0f);\nvec4 at4 = vec4(place, 1.0f);\nvec2 at = vec2(dot(shadow.across, at4), dot(shadow.down, at4)) - 0.5f;\nfloat depth = max(dot(shadow.depth, at4) + shadow.nearer, 0.0f);\nfloat edge = 0.5f * float(shadow.size);\nvec2 off = abs(at + 0.5f - edge) / edge;\nfloat weight = 1.0f - smoothstep(bladeShadowFade, 1.0f, max(off.x, off.y));\nif (weight <= 0.0f)\nreturn vec2(1.0f, 0.0f);\nvec2 corner = floor(at);\nvec2 f = at - corner;\nuint last = shadow.size - 2u;\nuint column = min(uint(max(corner.x, 0.0f)), last);\nuint row = min(uint(max(corner.y, 0.0f)), last);\nuint first = column * shadow.size + row;\nfloat lit00 = isShaded(fetchBladeShadowTable(uint(first)), depth, seed) ? 0.0f : 1.0f;\nfloat lit01 = isShaded(fetchBladeShadowTable(uint(first + 1u)), depth, seed) ? 0.0f : 1.0f;\nfloat lit10 = isShaded(fetchBladeShadowTable(uint(first + shadow.size)), depth, seed) ? 0.0f : 1.0f;\nfloat lit11 = isShaded(fetchBladeShadowTable(uint(first + shadow.size + 1u)), depth, seed) ? 0.0f : 1.0f;\nreturn vec2(mix(mix(lit00, lit01, f.y), mix(lit10, lit11, f.y), f.x), weight);\n}\n#endif\n",
+  // shaders/shared/cover.h
+  "#ifndef SWARD_SHARED_COVER_H\n#define SWARD_SHARED_COVER_H\n",
+  // shaders/shared/cover.h
+  "struct CoverTable { uint none; };\nuint fetchCoverTable(uint i);\nconst uint heightSteps = 16u;\nstruct Cover {\nvec3 low;\nfloat cellsPerMetre;\nuint countX;\nuint countY;\nuint countZ;\nfloat farthest;\nvec3 undergrowth;\nfloat thatch;\nvec3 sward;\nfloat thinned;\nfloat structure;\nfloat stepsPerMetre;\nuint leaves[heightSteps / 2u];\n};\nconst uint toneBits = 0x80038000u;\nuint packGrass(float leafArea, float height, float tone)\n{\nuint halves = packHalf2x16(vec2(leafArea, leafArea * height)) + 0x20000u;\nuint step = uint(clamp(tone, 0.0f, 1.0f) * 15.0f + 0.5f);\nreturn (halves & ~toneBits) | ((step & 3u) << 16u) | ((step & 4u) << 13u) |\n((step & 8u) << 28u);\n}\nvec3 unpackGrass(uint corner)\n{\nvec2 grass = unpackHalf2x16(corner & ~toneBits);\nuint step = ((corner >> 16u) & 3u) | ((corner >> 13u) & 4u) | ((corner >> 28u) & 8u);\nreturn vec3(grass.x, grass.y, grass.x * float(step) * (1.0f / 15.0f));\n}\nvec3 mixGrass(uint a, uint b, float share)\n{\nreturn mix(unpackGrass(a), unpackGrass(b), share);\n}\nvec3 grassAt(Cover cover, vec3 position)\n{\nif (cover.countX == 0u)\nreturn vec3(0.0f);\nvec3 last = vec3(float(cover.countX), float(cover.countY), float(cover.countZ)) - 1.0f;\nvec3 place = clamp((position - cover.low) * cover.cellsPerMetre, vec3(0.0f), last);\nvec3 cell = min(floor(place), last - 1.0f);\nvec3 f = place - cell;\nuint stepY = cover.countX;\nuint stepZ = cover.countX * cover.countY;\nuint i = uint(cell.x) + stepY * uint(cell.y) + stepZ * uint(cell.z);\nuint j = i + stepZ;\nvec3 near =\nmix(mixGrass(fetchCoverTable(uint(i)), fetchCoverTable(uint(i + 1u)), f.x),\nmixGrass(fetchCoverTable(uint(i + stepY)), fetchCoverTable(uint(i + stepY + 1u)), f.x), f.y);\nvec3 far =\nmix(mixGrass(fetchCoverTable(uint(j)), fetchCoverTable(uint(j + 1u)), f.x),\nmixGrass(fetchCoverTable(uint(j + stepY)), fetchCoverTable(uint(j + stepY + 1u)), f.x), f.y);\nreturn mix(near, far, f.z);\n}\nfloat leafAreaAt(Cover cover, vec3 position)\n{\nreturn grassAt(cover, position).x;\n}\nfloat toneOf(vec3 grass)\n{\nreturn grass.x > 0.0f ? grass.z / grass.x : 0.5f;\n}\nfloat heightStepsPerMetre(Cover cover, vec3 grass)\n{\nreturn cover.stepsPerMetre * (grass.y > 0.0f ? grass.x / grass.y : 1.0f);\n}\nfloat leafShareAbove(Cover cover, float steps)\n{\nfloat at = clamp(steps, 0.0f, float(heightSteps));\nuint step = min(uint(at), heightSteps - 1u);\nvec2 pair = unpackHalf2x16(cover.leaves[step / 2u]);\nfloat low = step == 0u ? 1.0f : pair.x;\nfloat next = pair.y;\nif ((step & 1u) != 0u) {\nlow = pair.y;\nnext = step + 1u < heightSteps ? unpackHalf2x16(cover.leaves[step / 2u + 1u]).x : 0.0f;\n}\nfloat root = mix(low, next, at - float(step));\nreturn root * root;\n}\nfloat leafProjectionOf(Cover cover)\n{\nreturn unpackHalf2x16(cover.leaves[0]).x;\n}\nfloat undergrowthBelow(float leafArea)\n{\nreturn 1.0f - exp(-0.65f * leafArea);\n}\nvec3 groundUnder(Cover cover, vec3 bare, vec3 shade, float leafArea)\n{\nreturn mix(bare, shade * cover.undergrowth, cover.thatch * undergrowthBelow(leafArea));\n}\nfloat swardShare(Cover cover, float leafArea, float thinned)\n{\nreturn cover.thatch * (undergrowthBelow(leafArea) - undergrowthBelow(leafArea / thinned));\n}\nfloat swardBrightness(float cosine)\n{\nreturn 0.6f - 0.1f * cosine;\n}\nfloat leavesAround(float leafArea, float thinned)\n{\nreturn leafArea * max(pow(thinned, -0.22f), 0.6f);\n}\nfloat heightWithLeafShare(float share)\n{\nreturn pow(clamp(share, 0.0f, 1.0f), 2.0f / 3.0f);\n}\nconst float leafExtinction = 0.46f;\nconst float lowestSun = 0.1f;\nfloat leafProjectionAlong(float upwards, float cosine)\n{\nfloat beside = 0.637f * sqrt(max(1.0f - 1.9f * upwards * upwards, 0.0f));\nfloat sine = sqrt(max(1.0f - cosine * cosine, 0.0f));\nreturn length(vec2(upwards * cosine, beside * sine));\n}\nconst float skyExtinction = 1.2f;\nfloat sunBelow(float upwards, float leafArea, float cosine)\n{\nfloat risen = max(cosine, lowestSun);\nreturn exp(-leafProjectionAlong(upwards, risen) * (leafArea / risen));\n}\nfloat skyBelow(float leafArea)\n{\nreturn exp(-skyExtinction * leafArea);\n}\n#endif\n",
+  // shaders/shared/culling.h
+  "#ifndef SWARD_SHARED_CULLING_H\n#define SWARD_SHARED_CULLING_H\n",
+  // shaders/shared/culling.h
+  "const uint cullResultDrawn = 0u;\nconst uint cullResultPatch = 1u;\nconst uint cullResultOrientation = 2u;\nconst uint cullResultFrustum = 3u;\nconst uint cullResultDistance = 4u;\nconst uint cullResultOcclusion = 5u;\nconst uint cullResultLod = 6u;\nconst uint cullResultCount = 7u;\nconst uint cullPatch = 1u;\nconst uint cullOrientation = 2u;\nconst uint cullFrustum = 4u;\nconst uint cullDistance = 8u;\nconst uint cullOcclusion = 16u;\nconst uint leaveThinned = 32u;\nconst float paperEdgeOnCosine = 0.9f;\nfloat planeDistance(vec4 plane, vec3 point)\n{\nreturn dot(vec3(plane.x, plane.y, plane.z), point) + plane.w;\n}\nbool curveOutside(vec4 plane, vec3 v0, vec3 v1, vec3 v2, float margin)\n{\nreturn max(max(planeDistance(plane, v0), planeDistance(plane, v1)), planeDistance(plane, v2)) <\n-margin;\n}\nbool curveInside(vec4 plane, vec3 v0, vec3 v1, vec3 v2, float margin)\n{\nreturn min(min(planeDistance(plane, v0), planeDistance(plane, v1)), planeDistance(plane, v2)) >\nmargin;\n}\nbool boxOutside(vec4 plane, vec3 low, vec3 high)\n{\nvec3 farthest = vec3(plane.x >= 0.0f ? high.x : low.x, plane.y >= 0.0f ? high.y : low.y,\nplane.z >= 0.0f ? high.z : low.z);\nreturn planeDistance(plane, farthest) < 0.0f;\n}\nfloat edgeOnCosine(vec3 eye, vec3 root, vec3 axis)\n{\nvec3 ray = root - eye;\nreturn min(abs(dot(ray, axis)) / max(length(ray), 1e-6f), 1.0f);\n}\nfloat boxDistance(vec3 eye, vec3 low, vec3 high)\n{\nreturn length(max(max(low - eye, eye - high), vec3(0.0f)));\n}\nbool bucketsKeep(float buckets, float last, float distance, float rank)\n{\nreturn buckets <= 0.0f || rank * buckets < floor(buckets * (1.0f - distance / last));\n}\nconst float lodFade = 0.1f;\nconst float lodFullShare = 1.0f / 0.9f;\nfloat lodShare(float pixels, float threshold)\n{\nreturn clamp(pixels / threshold, 1.0f / 256.0f, lodFullShare);\n}\nfloat lodWidthFactor(float rank, float share)\n{\nif (share >= lodFullShare)\nreturn 1.0f;\nfloat fade = lodFade * share;\nfloat weight = clamp((share - rank) / fade, 0.0f, 1.0f);\nfloat beyond = max(share - 1.0f, 0.0f);\nfloat mean = share - 0.5f * fade - 0.5f * beyond * beyond / fade;\nreturn weight / mean;\n}\nconst float flattestRay = 1.0f / 96.0f;\nconst float maxLeafArea = 64.0f;\nfloat leafAreaShare(float most, float leafArea, float cosine, float pixels)\n{\nfloat wide = max(pixels * pixels, 1.0f);\nreturn clamp(most * wide * wide * max(cosine, flattestRay) /\n(leafExtinction * max(leafArea, 1e-6f)),\n1.0f / 256.0f, lodFullShare);\n}\nfloat leafAreaWeight(float rank, float share)\n{\nif (share >= lodFullShare)\nreturn 1.0f;\nreturn clamp((share - rank) / (lodFade * share), 0.0f, 1.0f);\n}\nconst float maxHeightCompensation = 1.3f;\nfloat heightCompensation(float share, float one, float spread)\n{\nif (share >= 1.0f)\nreturn 1.0f;\nfloat full = min(one, 1.0f);\nfloat sunk = pow(full / share, 1.0f / 3.0f) - pow(full, 1.0f / 3.0f);\nfloat rise = clamp(1.0f + (0.4f + 0.2f * spread) * sunk, 1.0f, maxHeightCompensation);\nreturn floor(rise * 1024.0f + 0.5f) / 1024.0f;\n}\nfloat leafAreaLight(float share, float spread)\n{\nreturn share >= 1.0f ? 1.0f : pow(share, 1.0f / (1.0f + 0.8f * spread));\n}\n#endif\n",
+  // shaders/shared/environment.h
+  "#ifndef SWARD_SHARED_ENVIRONMENT_H\n#define SWARD_SHARED_ENVIRONMENT_H\n",
+  // shaders/shared/collision.h
+  "#ifndef SWARD_SHARED_COLLISION_H\n#define SWARD_SHARED_COLLISION_H\n",
+  // shaders/shared/collision.h
+  "struct Collider {\nvec3 from;\nfloat radius;\nvec3 to;\nuint reserved;\nvec3 velocity;\nuint reserved2;\n};\nstruct ColliderTable { uint none; };\nCollider fetchColliderTable(uint i);\nconst uint maxColliders = 256u;\nconst uint colliderWords = 8u;\nstruct ColliderMask {\nuint words[colliderWords];\n};\nColliderMask noColliders()\n{\nColliderMask mask;\nfor (uint i = 0u; i < colliderWords; ++i)\nmask.words[i] = 0u;\nreturn mask;\n}\nbool colliderNear(Collider collider, vec3 low, vec3 high, float elapsed)\n{\nvec3 way = collider.velocity * elapsed;\nvec3 first = min(min(collider.from, collider.to), min(collider.from, collider.to) - way);\nvec3 last = max(max(collider.from, collider.to), max(collider.from, collider.to) - way);\nreturn all(lessThanEqual(first - collider.radius, high)) &&\nall(lessThanEqual(low, last + collider.radius));\n}\nCollider colliderSeenFrom(Collider collider, vec3 root, float height, float back)\n{\nvec3 shift = collider.velocity * back + root;\nCollider seen = collider;\nseen.from = (collider.from - shift) / height;\nseen.to = (collider.to - shift) / height;\nseen.radius = collider.radius / height;\nreturn seen;\n}\nvec3 towardsSegment(Collider collider, vec3 point)\n{\nvec3 along = collider.to - collider.from;\nvec3 to = collider.from - point;\nfloat size = dot(along, along);\nfloat t = size > 0.0f ? clamp(-dot(to, along) / size, 0.0f, 1.0f) : 0.0f;\nreturn to + t * along;\n}\nvec3 pushOut(Collider collider, vec3 point, vec3 otherwise)\n{\nvec3 towards = towardsSegment(collider, point);\nfloat distance = length(towards);\nfloat depth = max(collider.radius - distance, 0.0f);\nreturn depth * (distance > 1e-6f ? -towards / distance : otherwise);\n}\n#endif\n",
+  // shaders/shared/environment.h
+  "const uint windNoise = 0u;\nconst uint windTurning = 1u;\nconst uint windWave = 2u;\nconst uint windRadial = 3u;\nconst uint windSwirl = 4u;\nconst uint windGusts = 5u;\nconst uint windKinds = 6u;\nconst uint windsAlike = 1u << 24u;\nconst uint maxWindSources = 8u;\nstruct WindSource {\nvec3 direction;\nfloat strength;\nvec3 centre;\nfloat size;\nfloat speed;\nfloat rate;\nfloat turn;\nfloat alignment;\nfloat lift;\nuint kind;\nvec3 side;\nfloat perSize;\n};\nstruct WindPhase {\nvec3 shift;\nuint cell;\nvec3 fineShift;\nuint fineCell;\nfloat angle;\nfloat turned;\n};\nstruct WindLattice {\nvec3 origin;\nvec3 x;\nvec3 y;\nvec3 z;\n};\nstruct Wind {\nuint counts;\nfloat eddySize;\nfloat eddySpeed;\nfloat sum;\nvec3 eddyPhase;\nWindLattice lattice;\nWindSource sources[maxWindSources];\nWindPhase phases[maxWindSources];\n};\nstruct Gravity {\nvec3 direction;\nfloat strength;\nvec3 attractor;\nfloat blend;\nfloat forward;\n};\nconst float forwardShare = 0.25f;\nstruct Environment {\nGravity gravity;\nfloat recovery;\nuint colliderCount;\nWind wind;\n};\n#endif\n",
+  // shaders/shared/eyepoint.h
+  "#ifndef SWARD_SHARED_EYEPOINT_H\n#define SWARD_SHARED_EYEPOINT_H\n",
+  // shaders/shared/eyepoint.h
+  "struct Eyepoint {\nvec4 planes[6];\nvec3 eye;\nfloat drawDistance;\nfloat pixelsPerUnit;\nfloat lodThreshold;\nfloat lodWidth;\nfloat minWidth;\nfloat maxLeafArea;\nfloat maxEdgeOn;\nuint samples;\nfloat buckets;\nfloat bucketDistance;\nuint cullMask;\nfloat\nareaFactor;\nfloat sparseFrom;\nfloat sparseLeast;\n};\n#endif\n",
+  // shaders/shared/host_light.h
+  "struct HostLightArray { uint none; };\nuint fetchHostLightArray(uint i);\n",
+  // shaders/shared/look/floor_plane.h
+  "#ifndef SWARD_SHARED_LOOK_FLOOR_PLANE_H\n#define SWARD_SHARED_LOOK_FLOOR_PLANE_H\n",
+  // shaders/shared/look/floor_plane.h
+  "struct FloorPlane {\nvec3 middle;\nfloat reach;\nvec3 along;\nfloat height;\nvec2 halfSides;\nfloat cornerRadius;\n};\nfloat distanceFromFootprint(FloorPlane plane, vec3 place, vec3 across)\n{\nvec3 way = place - plane.middle;\nvec2 at = abs(vec2(dot(way, plane.along), dot(way, across)));\nvec2 beyond = max(at - (plane.halfSides - plane.cornerRadius), vec2(0.0f));\nreturn max(length(beyond) - plane.cornerRadius, 0.0f);\n}\nfloat skyBesideWall(float height, float distance)\n{\nfloat slant = sqrt(height * height + distance * distance);\nreturn slant > 0.0f ? 0.5f + 0.5f * distance / slant : 1.0f;\n}\n#endif\n",
+  // shaders/shared/occlusion.h
+  "struct DepthPyramid { uint none; };\nuint fetchDepthPyramid(uint i);\n",
+  // shaders/shared/organ.h
+  "#ifndef SWARD_SHARED_ORGAN_H\n#define SWARD_SHARED_ORGAN_H\n",
+  // shaders/shared/bezier.h
+  "#ifndef SWARD_SHARED_BEZIER_H\n#define SWARD_SHARED_BEZIER_H\n",
+  // shaders/shared/bezier.h
+  "vec3 bezierPoint(vec3 v0, vec3 v1, vec3 v2, float t)\n{\nvec3 a = v0 + t * (v1 - v0);\nvec3 b = v1 + t * (v2 - v1);\nreturn a + t * (b - a);\n}\nvec3 bezierTangent(vec3 v0, vec3 v1, vec3 v2, float t)\n{\nreturn 2.0f * ((1.0f - t) * (v1 - v0) + t * (v2 - v1));\n}\n#endif\n",
+  // shaders/shared/pose.h
+  "#ifndef SWARD_SHARED_POSE_H\n#define SWARD_SHARED_POSE_H\n",
+  // shaders/shared/pose.h
+  "struct BladeState {\nuint turn;\nfloat eta;\n};\nconst uint unsettledTurn = 0x80008000u;\nstruct Pose {\nvec3 v1;\nvec3 v2;\n};\nconst float turnMaxError = 1.54e-5f;\nvec2 turnTowards(vec3 direction)\n{\nreturn (1.0f / (1.0f + max(direction.z, 0.0f))) * vec2(direction.x, direction.y);\n}\nvec3 directionOfTurn(vec2 turn)\n{\nfloat square = min(dot(turn, turn), 1.0f);\nreturn (1.0f / (1.0f + square)) * vec3(2.0f * turn.x, 2.0f * turn.y, 1.0f - square);\n}\nBladeState stateOfTurn(vec2 turn, float eta)\n{\nBladeState state;\nstate.turn = packSnorm16(turn.x) | (packSnorm16(turn.y) << 16u);\nstate.eta = eta;\nreturn state;\n}\nBladeState stateOf(vec3 up, vec3 front, vec3 direction, float eta)\n{\nreturn stateOfTurn(turnTowards(alongAxes(axesTowards(up, front), direction)), eta);\n}\nvec2 storedTurn(BladeState state)\n{\nreturn vec2(unpackSnorm16(state.turn), unpackSnorm16(state.turn >> 16u));\n}\nvec3 storedDirection(BladeState state)\n{\nreturn directionOfTurn(storedTurn(state));\n}\nvec3 directionOf(vec3 up, vec3 front, BladeState state)\n{\nreturn inSpace(axesTowards(up, front), storedDirection(state));\n}\nfloat lengthCorrection(float side)\n{\nif (side > 0.95f)\nreturn (-0.48620368f * side + 0.92399928f) * side + 0.55642926f;\nfloat high = (-1.3481541f * side + 4.0007265f) * side - 4.6675167f;\nfloat low = (high * side + 2.7635532f) * side - 0.71043977f;\nreturn (low * side - 0.037761414f) * side + 1.0f;\n}\nfloat tipDistance(vec3 direction)\n{\nreturn lengthCorrection(length(vec2(direction.x, direction.y)));\n}\nPose poseTowards(vec3 up, vec3 direction)\n{\nfloat side = length(direction - up * dot(direction, up));\nvec3 v1 = up * max(1.0f - side, 0.05f);\nfloat scale = lengthCorrection(side);\nPose pose;\npose.v1 = v1 * scale;\npose.v2 = direction * scale;\nreturn pose;\n}\nvec3 keptAbove(vec3 up, vec3 front, vec3 direction)\n{\nfloat rise = dot(up, direction);\nif (rise >= 0.0f)\nreturn direction;\nvec3 lifted = direction - up * rise;\nfloat distance = length(lifted);\nvec3 towards = distance > 1e-4f ? lifted / distance : front;\nreturn towards - up * min(dot(up, towards), 0.0f);\n}\nPose poseBlade(vec3 up, vec3 front, vec3 tip)\n{\nvec3 lifted = tip - up * min(dot(up, tip), 0.0f);\nfloat distance = length(lifted);\nreturn poseTowards(up, keptAbove(up, front, distance > 1e-4f ? lifted / distance : front));\n}\nPose poseOfState(BladeAxes axes, BladeState state)\n{\nvec3 direction = storedDirection(state);\nfloat side = length(vec2(direction.x, direction.y));\nfloat scale = lengthCorrection(side);\nPose pose;\npose.v1 = axes.up * (max(1.0f - side, 0.05f) * scale);\npose.v2 = inSpace(axes, direction * scale);\nreturn pose;\n}\n#endif\n",
+  // shaders/shared/species.h
+  "#ifndef SWARD_SHARED_SPECIES_H\n#define SWARD_SHARED_SPECIES_H\n",
+  // shaders/shared/shape.h
+  "#ifndef SWARD_SHARED_SHAPE_H\n#define SWARD_SHARED_SHAPE_H\n",
+  // shaders/shared/shape.h
+  "const uint shapeTriangleTip = 0u;\nconst uint shapeQuad = 1u;\nconst uint shapeTriangle = 2u;\nconst uint shapeQuadratic = 3u;\nconst uint shapeDandelion = 4u;\nconst uint shapeLeaf = 5u;\nconst uint shapeStalkLeaf = 6u;\nconst uint shapeCount = 7u;\nconst uint namedShapes = 6u;\nconst float baseWidth = 0.25f;\nconst float baseLength = 0.3f;\nconst float dandelionLobes = 4.0f;\nconst float segmentsPerLobe = 4.0f;\nvec2 outlineAt(uint shape, float tipThreshold, float t)\n{\nfloat half_ = 0.5f;\nif (shape == shapeTriangleTip)\nhalf_ = 0.5f - 0.5f * max(t - tipThreshold, 0.0f) / max(1.0f - tipThreshold, 1e-3f);\nelse if (shape == shapeTriangle)\nhalf_ = 0.5f - 0.5f * t;\nelse if (shape == shapeQuadratic)\nreturn vec2(-0.5f, 0.5f - t * t);\nelse if (shape == shapeDandelion) {\nfloat rest = 1.0f - t;\nfloat wave = abs(sin(3.14159265f * dandelionLobes * rest));\nhalf_ = 0.5f * sqrt(rest) * (2.0f - rest - sqrt(0.5f * wave));\n} else if (shape == shapeLeaf) {\nfloat away = t < tipThreshold ? (tipThreshold - t) / max(tipThreshold, 1e-3f)\n: (t - tipThreshold) / max(1.0f - tipThreshold, 1e-3f);\nhalf_ = 0.5f - 0.5f * min(away * away, 1.0f);\n} else if (shape == shapeStalkLeaf) {\nfloat before = max(1.0f - t / baseLength, 0.0f);\nhalf_ = (0.5f - 0.5f * max(t - tipThreshold, 0.0f) / max(1.0f - tipThreshold, 1e-3f)) *\n(1.0f - (1.0f - baseWidth) * before * before);\n}\nreturn vec2(-half_, half_);\n}\nbool isEven(uint shape)\n{\nreturn shape != shapeQuadratic;\n}\nbool isTapering(uint shape)\n{\nreturn shape != shapeDandelion && shape != shapeLeaf && shape != shapeStalkLeaf;\n}\nvec2 momentsOfStalkLeaf(float tipThreshold)\n{\nfloat tau = tipThreshold;\nfloat lacks = 1.0f - baseWidth;\nfloat u = max(1.0f - tau / baseLength, 0.0f);\nfloat taper = u * u * u * u * baseLength * baseLength / max(1.0f - tau, 1e-3f);\nreturn vec2(0.5f + 0.5f * tau - lacks * (baseLength / 3.0f - taper / 12.0f),\n(1.0f + tau + tau * tau) / 6.0f -\nlacks * (baseLength * baseLength / 12.0f -\ntaper * baseLength * (1.0f / 12.0f - 0.05f * u)));\n}\nfloat outlineArea(uint shape, float tipThreshold)\n{\nif (shape == shapeTriangleTip)\nreturn 0.5f + 0.5f * tipThreshold;\nif (shape == shapeTriangle)\nreturn 0.5f;\nif (shape == shapeQuadratic || shape == shapeLeaf)\nreturn 2.0f / 3.0f;\nif (shape == shapeStalkLeaf)\nreturn momentsOfStalkLeaf(tipThreshold).x;\nreturn shape == shapeDandelion ? 0.57268f : 1.0f;\n}\nstruct Outline {\nuint shape;\nfloat tipThreshold;\nfloat segments;\nfloat scale;\n};\nconst float exactSegments = 20.0f;\nconst float outlineMost = 1.35f;\nfloat innerWidths(uint shape, float tipThreshold, float segments)\n{\nif (shape == shapeTriangleTip) {\nfloat first = floor(tipThreshold * segments) + 1.0f;\nfloat count = max(segments - first, 0.0f);\nfloat beyond =\n0.5f * count * (first + segments - 1.0f) / segments - tipThreshold * count;\nreturn segments - 1.0f - beyond / max(1.0f - tipThreshold, 1e-3f);\n}\nfloat sum = 0.0f;\nfor (float i = 1.0f; i < segments; i += 1.0f) {\nvec2 edges = outlineAt(shape, tipThreshold, i / segments);\nsum += edges.y - edges.x;\n}\nreturn sum;\n}\nOutline outlineOf(uint shape, float tipThreshold, float segments)\n{\nOutline outline;\noutline.shape = shape;\noutline.tipThreshold = tipThreshold;\noutline.segments = segments;\noutline.scale = 1.0f;\nif (segments < 1.5f || segments > exactSegments)\nreturn outline;\nif (shape == shapeStalkLeaf && segments < 3.5f)\noutline.shape = shapeTriangleTip;\nvec2 first = outlineAt(outline.shape, tipThreshold, 0.0f);\nvec2 last = outlineAt(outline.shape, tipThreshold, 1.0f);\nfloat sum = 0.5f * (first.y - first.x + last.y - last.x) +\ninnerWidths(outline.shape, tipThreshold, segments);\noutline.scale = outlineArea(shape, tipThreshold) * segments / sum;\nreturn outline;\n}\nvec2 singleSegment(uint shape, float tipThreshold)\n{\nif (shape == shapeTriangleTip)\nreturn vec2(1.0f + tipThreshold - tipThreshold * tipThreshold, tipThreshold * tipThreshold);\nif (shape == shapeTriangle)\nreturn vec2(1.0f, 0.0f);\nif (shape == shapeQuadratic)\nreturn vec2(7.0f / 6.0f, 1.0f / 6.0f);\nif (shape == shapeLeaf) {\nfloat moment = 0.25f + tipThreshold * (1.0f / 6.0f);\nreturn vec2(8.0f / 3.0f - 6.0f * moment, 6.0f * moment - 4.0f / 3.0f);\n}\nif (shape == shapeStalkLeaf) {\nvec2 moments = momentsOfStalkLeaf(tipThreshold);\nreturn vec2(4.0f * moments.x - 6.0f * moments.y, 6.0f * moments.y - 2.0f * moments.x);\n}\nreturn shape == shapeDandelion ? vec2(0.64894f, 0.49642f) : vec2(1.0f);\n}\nvec2 edgesAt(Outline outline, float t)\n{\nif (outline.segments < 1.5f) {\nvec2 ends = singleSegment(outline.shape, outline.tipThreshold);\nfloat half_ = 0.5f * mix(ends.x, ends.y, t);\nreturn vec2(-half_, half_);\n}\nreturn outline.scale * outlineAt(outline.shape, outline.tipThreshold, t);\n}\nfloat segmentsFor(vec3 v0, vec3 v1, vec3 v2, float size, uint shape, float heightPixels,\nfloat widthPixels, float most)\n{\nfloat stray = length(v0 - 2.0f * v1 + v2) * (heightPixels / max(size, 1e-9f));\nfloat curve = ceil(sqrt(stray));\nif (shape == shapeDandelion && widthPixels > 2.0f)\nreturn dandelionLobes * segmentsPerLobe;\nfloat tip = widthPixels > 3.0f ? 3.0f : (widthPixels > 1.0f ? 2.0f : 1.0f);\nif ((shape == shapeLeaf || shape == shapeStalkLeaf) && widthPixels > 3.0f)\ntip = widthPixels > 12.0f ? 8.0f : 4.0f;\nreturn clamp(max(curve, tip), 1.0f, max(most, 1.0f));\n}\nstruct LevelSteps {\nvec4 distance;\nvec4 segments;\nuint count;\n};\nfloat segmentsAt(LevelSteps steps, float distance)\n{\nfloat segments = steps.segments[0];\nfor (int i = 1; i < 4;\n++i) if (uint(i) < steps.count && distance >= steps.distance[i - 1])\nsegments = steps.segments[i];\nreturn segments;\n}\n#endif\n",
+  // shaders/shared/species.h
+  "const uint maxSpecies = 8u;\nstruct Species {\nvec3 rootColor;\nfloat tipThreshold;\nvec3 tipColor;\nfloat groundTint;\nfloat colorVariation;\nfloat translucency;\nfloat gloss;\nfloat dryness;\nuint shape;\nfloat fold;\nuint firstOrgan;\nuint organKinds;\n};\nstruct SpeciesArray { uint none; };\nSpecies fetchSpeciesArray(uint i);\n#endif\n",
+  // shaders/shared/organ.h
+  "const uint maxRibbons = 63u;\nconst uint maxOrganKinds = 32u;\nstruct Organ {\nSpecies look;\nuint count;\nvec2 place;\nvec2 pitch;\nvec2 size;\nfloat width;\nfloat azimuth;\nfloat turn;\nfloat bend;\nfloat leg;\nfloat variation;\n};\nstruct OrganTable { uint none; };\nOrgan fetchOrganTable(uint i);\nuint ribbonNumber(Species species, Blade blade)\n{\nreturn species.organKinds > 0u ? blade.clump : 0u;\n}\nuint organOf(OrganTable organs, Species species, uint number, inout uint within)\n{\nuint kind = species.firstOrgan;\nwithin = number - 1u;\nwhile (kind + 1u < species.firstOrgan + species.organKinds && within >= fetchOrganTable(uint(kind)).count) {\nwithin -= fetchOrganTable(uint(kind)).count;\n++kind;\n}\nreturn kind;\n}\nfloat legLength(float bend)\n{\nfloat sum = 0.0f;\nfor (uint i = 0u; i <= 32u; ++i) {\nfloat t = float(i) / 32.0f;\nfloat speed = sqrt(max(1.0f - 2.0f * t * (1.0f - t) * (1.0f - cos(bend)), 0.0f));\nsum += (i == 0u || i == 32u ? 1.0f : (i & 1u) != 0u ? 4.0f : 2.0f) * speed;\n}\nreturn 0.5f * 96.0f / sum;\n}\nstruct PosedBlade {\nBlade blade;\nvec3 v0;\nvec3 v1;\nvec3 v2;\nvec3 axis;\n};\nPosedBlade posedBlade(Blade blade, BladeState state)\n{\nPosedBlade posed;\nposed.blade = blade;\nposed.axis = widthAxis(blade.up, blade.facing);\nPose pose = poseOfState(axesAlong(blade.up, posed.axis), state);\nposed.v0 = blade.root;\nposed.v1 = blade.root + blade.height * pose.v1;\nposed.v2 = blade.root + blade.height * pose.v2;\nreturn posed;\n}\nuint plantKey(Blade blade)\n{\nreturn blade.hash | ((uint(blade.facing * (256.0f / twoPi) + 0.5f) & 255u) << 4u);\n}\nfloat organDice(Blade blade, uint number, uint salt)\n{\nreturn float(mixUint(plantKey(blade) | (number << 12u) | (salt << 20u)) >> 8u) *\n(1.0f / 16777215.0f) -\n0.5f;\n}\nvec3 aboveGround(vec3 root, vec3 up, vec3 v)\n{\nreturn v - up * min(dot(up, v - root), 0.0f);\n}\nPosedBlade posedRibbon(PosedBlade stalk, Organ organ, uint number, uint within)\n{\nBlade plant = stalk.blade;\nfloat share = organ.count > 1u ? float(within) / float(organ.count - 1u) : 0.0f;\nfloat t = mix(organ.place.x, organ.place.y, share);\nvec3 along = bezierTangent(stalk.v0, stalk.v1, stalk.v2, t);\nalong = normalize(\ndot(along, along) > 1e-10f * plant.height * plant.height ? along : stalk.v1 - stalk.v0);\nvec3 side = stalk.axis - along * dot(along, stalk.axis);\nfloat level = dot(side, side);\nside = level > 1e-6f ? side * inversesqrt(level) : plant.up;\nvec3 front = cross(along, side);\nfloat azimuth = organ.azimuth + organ.turn * float(within) +\n2.0f * organ.variation * organDice(plant, number, 0u);\nfloat pitch = mix(organ.pitch.x, organ.pitch.y, share) +\n0.8f * organ.variation * organDice(plant, number, 1u);\nvec3 outwards = cos(azimuth) * side + sin(azimuth) * front;\nPosedBlade ribbon;\nribbon.blade = plant;\nribbon.blade.height = plant.height * mix(organ.size.x, organ.size.y, share) *\n(1.0f + 0.6f * organ.variation * organDice(plant, number, 2u));\nribbon.axis = cos(azimuth) * front - sin(azimuth) * side;\nfloat leg = organ.leg * ribbon.blade.height;\nribbon.v0 = bezierPoint(stalk.v0, stalk.v1, stalk.v2, t);\nvec3 v1 = ribbon.v0 + leg * (cos(pitch) * along + sin(pitch) * outwards);\nvec3 v2 =\nv1 + leg * (cos(pitch + organ.bend) * along + sin(pitch + organ.bend) * outwards);\nribbon.v1 = aboveGround(plant.root, plant.up, v1);\nribbon.v2 = aboveGround(plant.root, plant.up, v2);\nreturn ribbon;\n}\nPosedBlade ribbonOf(OrganTable organs, Species species, PosedBlade stalk, uint number)\n{\nuint within = 0u;\nuint kind = organOf(organs, species, number, within);\nreturn posedRibbon(stalk, fetchOrganTable(uint(kind)), number, within);\n}\n#endif\n",
+  // shaders/shared/sun_shadow.h
+  "#ifndef SWARD_SHARED_SUN_SHADOW_H\n#define SWARD_SHARED_SUN_SHADOW_H\n",
+  // shaders/shared/sun_shadow.h
+  "struct SunDepthTable { uint none; };\nfloat fetchSunDepthTable(uint i);\nstruct SunShadow {\nvec4 across;\nvec4 down;\nvec4 depth;\nuint size;\nfloat texel;\nfloat epsilon;\nuint reserved;\n};\nconst float shadowOffset = 2.0f;\nfloat sunSeen(SunShadow shadow, vec3 place, vec3 normal)\n{\nif (shadow.size == 0u)\nreturn 1.0f;\nvec4 lifted = vec4(place + normal * (shadowOffset * shadow.texel), 1.0f);\nvec2 at = vec2(dot(shadow.across, lifted), dot(shadow.down, lifted)) - 0.5f;\nfloat depth = dot(shadow.depth, lifted) + shadow.epsilon;\nvec2 f = at - floor(at);\nint last = int(shadow.size) - 2;\nint column = clamp(int(floor(at.x)), 0, last);\nint row = clamp(int(floor(at.y)), 0, last);\nint first = row * int(shadow.size) + column;\nint below = first + int(shadow.size);\nfloat above0 = fetchSunDepthTable(uint(first)) > depth ? 1.0f : 0.0f;\nfloat above1 = fetchSunDepthTable(uint(first + 1)) > depth ? 1.0f : 0.0f;\nfloat below0 = fetchSunDepthTable(uint(below)) > depth ? 1.0f : 0.0f;\nfloat below1 = fetchSunDepthTable(uint(below + 1)) > depth ? 1.0f : 0.0f;\nreturn 1.0f - mix(mix(above0, above1, f.x), mix(below0, below1, f.x), f.y);\n}\n#endif\n",
+  // shaders/shared/update_rate.h
+  "#ifndef SWARD_SHARED_UPDATE_RATE_H\n#define SWARD_SHARED_UPDATE_RATE_H\n",
+  // shaders/shared/update_rate.h
+  "struct UpdateRate {\nfloat everyFrame;\nfloat everyThird;\nfloat longest;\nuint frame;\n};\nconst float ticksPerSecond = 262144.0f;\nfloat secondsBetween(uint then, uint now)\n{\nreturn float(now - then) / ticksPerSecond;\n}\nconst float settlingTime = 12.0f;\nbool movesNow(UpdateRate updateRate, uint index, float distance, float elapsed)\n{\nif (distance < updateRate.everyFrame || elapsed >= updateRate.longest)\nreturn true;\nreturn distance < updateRate.everyThird && (updateRate.frame + index) % 3u == 0u;\n}\n#endif\n",
+  // shaders/shared/frame.h
+  "struct VisibleBlade {\nuint blade;\nuint patchIndex;\nuint factors;\nfloat pixels;\n};\nconst uint heightFactorBits = 0x03ff0000u;\nuint packFactors(float width, float height)\n{\nreturn packHalf2x16(vec2(width, height)) & (heightFactorBits | 0xffffu);\n}\nfloat widthFactorOf(VisibleBlade visible)\n{\nreturn unpackHalf2x16(visible.factors).x;\n}\nfloat heightFactorOf(VisibleBlade visible)\n{\nreturn unpackHalf2x16((visible.factors & heightFactorBits) | 0x3c000000u).y;\n}\nconst uint quarters = 4u;\nconst uint allQuarters = 15u;\nconst uint lateShift = 28u;\nuint beginOfQuarter(uint i, uint segments)\n{\nreturn i * segments / quarters;\n}\nuint quarterOf(float i, float segments)\n{\nreturn uint((4.0f * i + 3.25f) / segments);\n}\nstruct DrawArguments {\nuint vertexCount;\nuint instanceCount;\nuint firstVertex;\nuint firstInstance;\nuint simulated;\nuint cullResults[7];\n};\nstruct VisibleArray { uint none; };\nVisibleBlade fetchVisibleArray(uint i);\nstruct DrawArray { uint none; };\nDrawArguments fetchDrawArray(uint i);\nstruct FloatArray { uint none; };\nfloat fetchFloatArray(uint i);\nstruct UintArray { uint none; };\nuint fetchUintArray(uint i);\nstruct FrameArray { uint none; };\n#endif\n",
+  // web/shaders/frame.glsl
+  "layout(std140) uniform FrameConstants\n{\nmat4 viewProjection;\nvec3 rays[3];\nfloat depthOfEye;\nEyepoint view;\nEnvironment environment;\nuint patchCount;\nuint bladeCount;\nuint visibleCapacity;\nuint maxTessellation;\nvec3 sunDirection;\nfloat exposure;\nvec3 sunColor;\nuint debugMode;\nvec3 skyColor;\nfloat fogDensity;\nvec3 groundColor;\nvec3 skyUp;\nfloat fixedTessellation;\nfloat clouds;\nLevelSteps levelSteps;\nUpdateRate updateRate;\nCover cover;\nSunShadow shadow;\nBladeShadow bladeShadow;\nfloat\nfogFalloff;\nfloat lowSun;\nuint tick;\nFloorPlane floorPlane;\nuint reserved[36];\n}\nframeConstants;\n#define FRAME frameConstants\nstruct Looks {\nSpecies species[maxSpecies];\nOrgan organs[maxOrganKinds];\n};\nlayout(std140) uniform LookTables\n{\nLooks looks;\n};\nuniform usampler2D coverTexture;\nuniform sampler2D sunTexture;\nuniform usampler2D bladeShadowTexture;\nconst uint tableWidth = 2048u;\nivec2 placeInTable(uint i)\n{\nreturn ivec2(int(i % tableWidth), int(i / tableWidth));\n}\nuint fetchCoverTable(uint i)\n{\nreturn texelFetch(coverTexture, placeInTable(i), 0).x;\n}\nfloat fetchSunDepthTable(uint i)\n{\nuint size = FRAME.shadow.size;\nreturn 1.0 - texelFetch(sunTexture, ivec2(int(i % size), int(size - 1u - i / size)), 0).x;\n}\nuvec2 fetchBladeShadowTable(uint i)\n{\nuint size = FRAME.bladeShadow.size;\nreturn texelFetch(bladeShadowTexture, ivec2(int(i / size), int(size - 1u - i % size)), 0).xy;\n}\nSpecies fetchSpeciesArray(uint i)\n{\nreturn looks.species[i];\n}\nOrgan fetchOrganTable(uint i)\n{\nreturn looks.organs[i];\n}\nCollider fetchColliderTable(uint i)\n{\nCollider none;\nreturn none;\n}\nint findLSB(uint bits)\n{\nreturn -1;\n}\nvec4 unpackUnorm4x8(uint bits)\n{\nreturn vec4(uvec4(bits, bits >> 8u, bits >> 16u, bits >> 24u) & 255u) / 255.0;\n}\nuint packUnorm4x8(vec4 v)\n{\nuvec4 bytes = uvec4(floor(clamp(v, 0.0, 1.0) * 255.0 + 0.5));\nreturn bytes.x | (bytes.y << 8u) | (bytes.z << 16u) | (bytes.w << 24u);\n}\nuniform vec2 jitter;\nvec4 inClip(vec4 place)\n{\nplace.xy -= jitter * place.w;\nreturn vec4(place.x, -place.y, place.w - 2.0 * place.z, place.w);\n}\n#endif\n",
+  // web/shaders/blades.glsl
+  "uniform usampler2D bladeTexture;\nuniform usampler2D stateTexture;\nuniform usampler2D patchTexture;\nconst uint groupBlades = 32u;\nlayout(location = 0) in uvec3 group;\nconst uint patchTexels = 7u;\nconst uint patchesOfRow = 256u;\nuvec4 patchPart(uint i, uint part)\n{\nreturn texelFetch(patchTexture, ivec2(int((i % patchesOfRow) * patchTexels + part), int(i / patchesOfRow)), 0);\n}\nPatch fetchPatchArray(uint i)\n{\nuvec4 a = patchPart(i, 0u);\nuvec4 b = patchPart(i, 1u);\nuvec4 c = patchPart(i, 2u);\nuvec4 d = patchPart(i, 3u);\nuvec4 e = patchPart(i, 4u);\nuvec4 f = patchPart(i, 5u);\nuvec4 g = patchPart(i, 6u);\nPatch cell;\ncell.boundsLow = uintBitsToFloat(a.xyz);\ncell.firstBlade = a.w;\ncell.boundsHigh = uintBitsToFloat(b.xyz);\ncell.bladeCount = b.w;\ncell.rootLow = uintBitsToFloat(c.xyz);\ncell.rootStep = uintBitsToFloat(c.w);\ncell.coneAxis = uintBitsToFloat(d.xyz);\ncell.coneCosine = uintBitsToFloat(d.w);\ncell.heightLow = uintBitsToFloat(e.x);\ncell.heightStep = uintBitsToFloat(e.y);\ncell.widthLow = uintBitsToFloat(e.z);\ncell.widthStep = uintBitsToFloat(e.w);\ncell.parent = f.x;\ncell.firstChild = f.y;\ncell.childCount = f.z;\ncell.level = f.w;\ncell.rankLow = uintBitsToFloat(g.x);\ncell.rankHigh = uintBitsToFloat(g.y);\nreturn cell;\n}\nPackedBlade fetchBladeArray(uint i)\n{\nuvec4 bits = texelFetch(bladeTexture, placeInTable(i), 0);\nreturn PackedBlade(bits.x, bits.y, bits.z, bits.w);\n}\nuint fetchUintArray(uint i)\n{\nreturn texelFetch(stateTexture, placeInTable(i), 0).x;\n}\n#endif\n",
+  // shaders/shared/physics.h
+  "#ifndef SWARD_SHARED_PHYSICS_H\n#define SWARD_SHARED_PHYSICS_H\n",
+  // shaders/shared/wind.h
+  "#ifndef SWARD_SHARED_WIND_H\n#define SWARD_SHARED_WIND_H\n",
+  // shaders/shared/wind.h
+  "#ifndef WIND_SOURCE\n#define WIND_SOURCE(wind, i) wind.sources[i]\n#define WIND_PHASE(wind, i) wind.phases[i]\n#define WIND_LATTICE(wind) wind.lattice\n#endif\nuint windCount(uint counts, uint kind)\n{\nreturn (counts >> (4u * kind)) & 15u;\n}\nWindSource preparedSource(WindSource source)\n{\nWindSource prepared = source;\nprepared.side = abs(source.direction.y) < 0.99f\n? normalize(cross(source.direction, vec3(0.0f, 1.0f, 0.0f)))\n: vec3(1.0f, 0.0f, 0.0f);\nprepared.perSize = 1.0f / source.size;\nreturn prepared;\n}\nbool blowsLike(WindSource a, WindSource b)\n{\nbool hasAmounts = (a.kind == windNoise || a.kind == windWave || a.kind == windGusts) &&\n(b.kind == windNoise || b.kind == windWave || b.kind == windGusts);\nreturn hasAmounts && a.direction == b.direction && a.alignment == b.alignment &&\na.lift == b.lift;\n}\nconst float fineNoiseStart = 17.3f;\nconst float fineNoiseScale = 2.7f;\nconst uint gustRows = 7u;\nWindPhase windPhaseAtZero()\n{\nWindPhase phase;\nphase.shift = vec3(0.0f);\nphase.cell = 0u;\nphase.fineShift = vec3(fineNoiseStart);\nphase.fineCell = 0u;\nphase.angle = 0.0f;\nphase.turned = 0.0f;\nreturn phase;\n}\nfloat windWaveAt(WindSource source, WindPhase phase, vec3 position, float time)\n{\nfloat k = 6.2831853f * source.perSize;\nfloat along = k * (dot(position, source.direction) - source.speed * time) - phase.angle;\nfloat across = k * dot(position, source.side);\nfloat sum = cos(0.9f * along + 0.4f * across) + sin(0.55f * along - 0.25f * across) +\nsin(0.3f * along + 0.6f * across);\nreturn 1.0f - max(sum / 3.0f, 0.0f);\n}\nvec3 inLattice(Wind wind, vec3 v, vec3 shift)\n{\nvec3 x = WIND_LATTICE(wind).x;\nvec3 y = WIND_LATTICE(wind).y;\nvec3 z = WIND_LATTICE(wind).z;\nreturn vec3(((shift.x + x.x * v.x) + x.y * v.y) + x.z * v.z,\n((shift.y + y.x * v.x) + y.y * v.y) + y.z * v.z,\n((shift.z + z.x * v.x) + z.y * v.y) + z.z * v.z);\n}\nfloat windNoiseAt(Wind wind, WindSource source, WindPhase phase, vec3 position,\nfloat time)\n{\nfloat along = dot(position, source.direction) - 2.0f * source.speed * time;\nvec3 stretched = inLattice(\nwind, (0.5f * source.perSize) * (position + source.direction * along), phase.shift);\nfloat gust =\n0.65f * valueNoiseFrom(phase.cell, stretched) +\n0.35f * valueNoiseFrom(phase.fineCell, fineNoiseScale * stretched + phase.fineShift);\nreturn 2.0f * gust * gust;\n}\nconst float gustRise = 0.12f;\nfloat windGustAt(Wind wind, WindSource source, WindPhase phase, vec3 position, float time)\n{\nfloat along = dot(position, source.direction);\nvec3 across =\ninLattice(wind, source.perSize * (position - source.direction * along), vec3(0.0f));\nfloat bend = 0.8f * (valueNoise(0.7f * across + vec3(5.1f)) - 0.5f) + phase.shift.x;\nfloat fronts = (source.speed * time - along) * source.perSize + bend;\nfloat front = floor(fronts);\nfloat s = fronts - front;\nfloat rise = clamp(s / gustRise, 0.0f, 1.0f);\nfloat fall = clamp((1.0f - s) / (1.0f - gustRise), 0.0f, 1.0f);\nfloat profile = rise * rise * (3.0f - 2.0f * rise) * fall * fall;\nfloat own =\nvalueNoiseFrom(phase.cell, across + vec3(0.0f, 0.0f, float(gustRows) * front));\nreturn profile * clamp(2.0f * own - 0.2f, 0.0f, 1.0f);\n}\nvec3 parabolicSine(vec3 x)\n{\nvec3 f = 2.0f * fract(x) - vec3(1.0f);\nreturn -4.0f * f * (vec3(1.0f) - abs(f));\n}\nconst vec3 eddyDrift = vec3(0.48f, 0.57f, 0.67f);\nvec3 windEddies(float size, float speed, vec3 phase, vec3 position, float time)\n{\nvec3 q = (position + eddyDrift * (speed * time)) / size + phase;\nvec3 s = parabolicSine(q);\nvec3 c = parabolicSine(q + vec3(0.25f));\nreturn 0.7f * (vec3(s.z, s.x, s.y) + vec3(c.y, c.z, c.x));\n}\nconst float radialExtent = 75.0f;\nconst float swirlExtent = 30.0f;\nvec3 windAround(WindSource source, WindPhase phase, vec3 arm, vec3 up, float time,\nbool isSwirl)\n{\nfloat distance = length(arm);\nvec3 away = arm / (distance + 0.01f * source.size);\nfloat unit = (isSwirl ? swirlExtent : radialExtent) / source.size;\nfloat r = unit * distance;\nfloat fade = max(1.0f - 0.25f * log2((isSwirl ? 0.5f : 0.2f) * r + 1.0f), 0.0f);\nfloat along = r - unit * source.speed * time - phase.angle;\nif (!isSwirl)\nreturn away * (fade * (1.0f - max(sin(0.4f * along), 0.0f)));\nfloat ring = sin(0.1f * along);\nreturn (away + 1.5f * (1.0f - fade * fade) * cross(up, away)) * (fade * ring * ring * ring);\n}\nvec3 windAlong(Wind wind, WindSource source, vec3 direction, float amount, vec3 position,\nvec3 up, float time)\n{\nfloat head = (1.0f - source.lift) * abs(dot(source.direction, up));\nvec3 flow = direction;\nif (head > 0.0f)\nflow += head * windEddies(wind.eddySize, wind.eddySpeed, wind.eddyPhase, position, time);\nreturn amount * flow;\n}\nvec3 windFelt(WindSource source, vec3 flow, BladeAxes axes, vec3 direction)\n{\nvec3 wind = alongAxes(axes, flow);\nwind.z *= source.lift;\nfloat square = dot(wind, wind);\nfloat along = square > 1e-12f ? abs(dot(wind, direction)) * inversesqrt(square) : 0.0f;\nreturn (1.0f - source.alignment * along) * wind;\n}\nfloat windAmount(Wind wind, vec3 position, float time)\n{\nfloat sum = 0.0f;\nuint next = 0u;\nfor (uint i = windCount(wind.counts, windNoise); i > 0u; --i) {\nWindPhase phase = WIND_PHASE(wind, next);\nWindSource source = WIND_SOURCE(wind, next++);\nsum += source.strength * windNoiseAt(wind, source, phase, position, time);\n}\nfor (uint i = windCount(wind.counts, windWave); i > 0u; --i) {\nWindPhase phase = WIND_PHASE(wind, next);\nWindSource source = WIND_SOURCE(wind, next++);\nfloat wave = windWaveAt(source, phase, position, time);\nsum += source.strength * wave * wave;\n}\nfor (uint i = windCount(wind.counts, windGusts); i > 0u; --i) {\nWindPhase phase = WIND_PHASE(wind, next);\nWindSource source = WIND_SOURCE(wind, next++);\nsum += source.strength * windGustAt(wind, source, phase, position, time);\n}\nreturn sum;\n}\nvec3 windOfAmount(Wind wind, float amount, vec3 position, BladeAxes axes, vec3 direction,\nfloat time)\n{\nWindSource source = WIND_SOURCE(wind, 0);\nreturn amount *\nwindFelt(source,\nwindAlong(wind, source, source.direction, 1.0f, position, axes.up, time), axes,\ndirection);\n}\nvec3 windAlongAxes(Wind wind, vec3 root, BladeAxes axes, vec3 direction, float time)\n{\nvec3 position = root + WIND_LATTICE(wind).origin;\nif ((wind.counts & windsAlike) != 0u)\nreturn windOfAmount(wind, windAmount(wind, position, time), position, axes, direction,\ntime);\nvec3 sum = vec3(0.0f);\nuint next = 0u;\nfor (uint i = windCount(wind.counts, windNoise); i > 0u; --i) {\nWindPhase phase = WIND_PHASE(wind, next);\nWindSource source = WIND_SOURCE(wind, next++);\nfloat amount = source.strength * windNoiseAt(wind, source, phase, position, time);\nsum += windFelt(source,\nwindAlong(wind, source, source.direction, amount, position, axes.up, time),\naxes, direction);\n}\nfor (uint i = windCount(wind.counts, windTurning); i > 0u; --i) {\nWindPhase phase = WIND_PHASE(wind, next);\nWindSource source = WIND_SOURCE(wind, next++);\nfloat angle = source.turn * time + phase.turned;\nvec3 turned =\nsource.direction * cos(angle) + cross(axes.up, source.direction) * sin(angle);\nfloat amount =\nsource.strength * sin(source.rate * time + phase.angle -\n(6.2831853f * source.perSize) * dot(position, source.direction));\nsum += windFelt(source, windAlong(wind, source, turned, amount, position, axes.up, time),\naxes, direction);\n}\nfor (uint i = windCount(wind.counts, windWave); i > 0u; --i) {\nWindPhase phase = WIND_PHASE(wind, next);\nWindSource source = WIND_SOURCE(wind, next++);\nfloat wave = windWaveAt(source, phase, position, time);\nfloat amount = source.strength * wave * wave;\nsum += windFelt(source,\nwindAlong(wind, source, source.direction, amount, position, axes.up, time),\naxes, direction);\n}\nfor (uint i = windCount(wind.counts, windRadial); i > 0u; --i) {\nWindPhase phase = WIND_PHASE(wind, next);\nWindSource source = WIND_SOURCE(wind, next++);\nsum += windFelt(source,\nsource.strength *\nwindAround(source, phase, root - source.centre, axes.up, time, false),\naxes, direction);\n}\nfor (uint i = windCount(wind.counts, windSwirl); i > 0u; --i) {\nWindPhase phase = WIND_PHASE(wind, next);\nWindSource source = WIND_SOURCE(wind, next++);\nsum += windFelt(source,\nsource.strength *\nwindAround(source, phase, root - source.centre, axes.up, time, true),\naxes, direction);\n}\nfor (uint i = windCount(wind.counts, windGusts); i > 0u; --i) {\nWindPhase phase = WIND_PHASE(wind, next);\nWindSource source = WIND_SOURCE(wind, next++);\nfloat amount = source.strength * windGustAt(wind, source, phase, position, time);\nsum += windFelt(source,\nwindAlong(wind, source, source.direction, amount, position, axes.up, time),\naxes, direction);\n}\nreturn sum;\n}\nvec3 windAt(Wind wind, vec3 position, vec3 up, float time)\n{\nBladeAxes axes = axesTowards(up, tangentOf(up));\nreturn inSpace(axes, windAlongAxes(wind, position, axes, vec3(0.0f), time));\n}\nvec3 windForce(Wind wind, vec3 root, vec3 up, vec3 tip, float time)\n{\nBladeAxes axes = axesTowards(up, tangentOf(up));\nvec3 direction = alongAxes(axes, tip / max(length(tip), 1e-6f));\nreturn max(dot(tip, up), 0.0f) *\ninSpace(axes, windAlongAxes(wind, root, axes, direction, time));\n}\n#endif\n",
+  // shaders/shared/physics.h
+  "vec3 environmentAt(Gravity gravity, vec3 root)\n{\nvec3 towards = gravity.direction;\nif (gravity.blend > 0.0f) {\nvec3 toAttractor = gravity.attractor - root;\nfloat distance = length(toAttractor);\nvec3 pull = distance > 1e-6f ? toAttractor / distance : vec3(0.0f);\ntowards = mix(gravity.direction, pull, gravity.blend);\n}\nreturn gravity.strength * towards;\n}\nvec3 gravityAt(Gravity gravity, vec3 root, vec3 front)\n{\nvec3 environment = environmentAt(gravity, root);\nreturn environment + gravity.forward * length(environment) * front;\n}\nstruct TurnQuotient {\nvec2 over;\nvec2 under;\n};\nvec2 timesConjugate(vec2 a, vec2 b)\n{\nreturn vec2(a.x * b.x + a.y * b.y, a.y * b.x - a.x * b.y);\n}\nvec2 turnAbove(TurnQuotient turn)\n{\nvec2 product = timesConjugate(turn.over, turn.under);\nfloat under = dot(turn.under, turn.under);\nif (dot(turn.over, turn.over) <= under)\nreturn (1.0f / under) * product;\nfloat square = dot(product, product);\nreturn square > 1e-30f ? inversesqrt(square) * product : vec2(1.0f, 0.0f);\n}\nvec3 directionOfQuotient(TurnQuotient turn)\n{\nfloat over = dot(turn.over, turn.over);\nfloat under = dot(turn.under, turn.under);\nvec2 product = timesConjugate(turn.over, turn.under);\nreturn (1.0f / (under + over)) * vec3(2.0f * product.x, 2.0f * product.y, under - over);\n}\nconst float lyingBelow = 1e-3f;\nTurnQuotient relaxTurn(float stiffness, vec3 force, float recovery, vec2 turn, bool lies,\nfloat radius, float eta, float dt)\n{\nfloat b = 1.0f - stiffness;\nfloat k = max(recovery * (1.0f - 0.25f * b) * max(1.0f - eta, 0.1f), 1e-3f);\nvec3 pull = b * force;\npull.z += k;\nif (lies)\npull.z = max(pull.z, 0.0f);\nfloat strength = length(pull);\nTurnQuotient turned;\nturned.over = turn;\nturned.under = vec2(1.0f, 0.0f);\nif (strength < 1e-6f * k)\nreturn turned;\nfloat fall = exp(-(strength / radius) * dt);\nfloat above = strength + pull.z;\nfloat below = strength - pull.z;\nvec2 towards = (1.0f - fall) * vec2(pull.x, pull.y);\nturned.over = (fall * above + below) * turn + towards;\nturned.under = timesConjugate(turn, towards);\nturned.under.x += above + fall * below;\nreturn turned;\n}\nvec3 relaxTip(Blade blade, vec3 front, Gravity gravity, vec3 wind, float recovery,\nvec3 tip, float eta, float dt)\n{\nBladeAxes axes = axesTowards(blade.up, front);\nfloat radius = max(length(tip), 1e-6f);\nvec3 force = gravityAt(gravity, blade.root, front) + wind;\nvec3 direction = alongAxes(axes, tip / radius);\nreturn inSpace(axes, directionOfQuotient(relaxTurn(blade.stiffness, alongAxes(axes, force),\nrecovery, turnTowards(direction),\ndirection.z < lyingBelow, radius, eta, dt)));\n}\nconst uint contactRounds = 3u;\nconst float middleLever = 2.0f;\nvec3 pushBlade(Blade blade, vec3 front, ColliderTable colliders, ColliderMask near,\nvec3 tipBefore, vec3 tip, float back, inout float pushed,\ninout bool resting)\n{\nPose pose = poseBlade(blade.up, front, tip);\nvec3 result = tip;\nbool touched = true;\nfor (uint turn = 0u; turn < contactRounds && touched; ++turn) {\ntouched = false;\nfor (uint word = 0u; word < colliderWords; ++word) {\nfor (uint bits = near.words[word]; bits != 0u; bits &= bits - 1u) {\nCollider collider = colliderSeenFrom(\nfetchColliderTable(uint(32u * word + uint(findLSB(bits)))), blade.root, blade.height, back);\nif (length(towardsSegment(collider, vec3(0.0f))) >= collider.radius + 1.0f)\ncontinue;\nfor (uint point = 0u; point < 2u; ++point) {\nvec3 middle = 0.5f * pose.v1 + 0.25f * pose.v2;\nvec3 push = point == 0u ? pushOut(collider, pose.v2, front)\n: middleLever * pushOut(collider, middle, front);\nif (dot(push, push) > 0.0f) {\nvec3 before = pose.v2;\npose = poseBlade(blade.up, front, before + push);\nresult = pose.v2;\npushed += length(result - before);\nresting = resting && dot(collider.velocity, collider.velocity) == 0.0f;\ntouched = true;\n}\n}\n}\n}\n}\nreturn touched && resting ? poseBlade(blade.up, front, tipBefore + result).v2 : result;\n}\nconst float longestStep = 0.034f;\nconst uint maxSteps = 16u;\nconst float stickingSpeed = 0.06f;\nBladeState advanceBlade(Blade blade, Environment environment, ColliderMask near,\nBladeState state, float time, float elapsed)\n{\nBladeAxes axes = axesAlong(blade.up, widthAxis(blade.up, blade.facing));\nfloat fade = 0.5f * max(blade.stiffness, 0.1f);\nuint steps = uint(clamp(ceil(elapsed / longestStep), 1.0f, float(maxSteps)));\nfloat dt = elapsed / float(steps);\nvec3 pull = environmentAt(environment.gravity, blade.root);\nvec3 gravity = alongAxes(axes, pull);\ngravity.x += environment.gravity.forward * length(pull);\nvec2 first = storedTurn(state);\nvec2 turn = first;\nfloat eta = state.eta;\nfloat pushed = 0.0f;\nbool resting = true;\nfor (uint i = 0u; i < steps; ++i) {\nfloat back = elapsed - dt * float(i + 1u);\neta = max(eta - fade * dt, 0.0f);\nvec3 direction = directionOfTurn(turn);\nfloat radius = tipDistance(direction);\nfloat before = pushed;\nvec3 wind =\nwindAlongAxes(environment.wind, blade.root, axes, direction, time - back - 0.5f * dt);\nturn = turnAbove(relaxTurn(blade.stiffness, gravity + (radius * direction.z) * wind,\nenvironment.recovery, turn, direction.z < lyingBelow, radius,\neta, dt));\nif (false) {\nvec3 moved = directionOfTurn(turn);\nvec3 tip = pushBlade(\nblade, axes.front, ColliderTable(0u), near, inSpace(axes, radius * direction),\ninSpace(axes, tipDistance(moved) * moved), back, pushed, resting);\nif (pushed > before)\nturn = turnTowards(alongAxes(axes, normalize(tip)));\neta = min(eta + (pushed - before), 1.0f);\n}\n}\nif (pushed > 0.0f && resting) {\nvec3 from = directionOfTurn(first);\nvec3 to = directionOfTurn(turn);\nif (length(tipDistance(to) * to - tipDistance(from) * from) < stickingSpeed * elapsed)\nreturn state;\n}\nreturn stateOfTurn(turn, eta);\n}\n#endif\n",
+  // shaders/shared/visibility.h
+  "#ifndef SWARD_SHARED_VISIBILITY_H\n#define SWARD_SHARED_VISIBILITY_H\n",
+  // shaders/shared/ribbon.h
+  "#ifndef SWARD_SHARED_RIBBON_H\n#define SWARD_SHARED_RIBBON_H\n",
+  // shaders/shared/ribbon.h
+  "struct Ribbon {\nvec3 v0;\nvec3 v1;\nvec3 v2;\nvec3 axis;\nfloat width;\nfloat fold;\nOutline outline;\nuint seed;\n};\nstruct CrossSection {\nvec3 left;\nvec3 right;\nvec3 ridge;\nfloat wide;\nfloat drawn;\n};\nfloat foldOf(float fold, float widthPixels)\n{\nreturn fold * smoothstep(2.0f, 4.0f, widthPixels);\n}\nvec3 directionAt(Ribbon ribbon, float t)\n{\nvec3 tangent = bezierTangent(ribbon.v0, ribbon.v1, ribbon.v2, t);\nreturn dot(tangent, tangent) > 1e-18f ? tangent : ribbon.v1 - ribbon.v0;\n}\nvec3 tangentAt(Ribbon ribbon, float t)\n{\nreturn normalize(directionAt(ribbon, t));\n}\nvec3 outwardsOf(vec3 across, vec3 level)\n{\nfloat square = dot(level, level);\nvec3 unit = square > 1e-18f ? level * inversesqrt(square) : across;\nfloat upright = dot(unit, across);\nreturn across + (upright / max(upright * upright, 0.25f)) * (unit - upright * across);\n}\nCrossSection crossSectionAt(Ribbon ribbon, float t, vec3 eye, float minWidth)\n{\nvec3 centre = bezierPoint(ribbon.v0, ribbon.v1, ribbon.v2, t);\nvec3 direction = directionAt(ribbon, t);\nvec2 edges = ribbon.width * edgesAt(ribbon.outline, t);\nCrossSection section;\nsection.left = centre + edges.x * ribbon.axis;\nsection.right = centre + edges.y * ribbon.axis;\nsection.wide = edges.y - edges.x;\nsection.drawn = section.wide;\nif (minWidth > 0.0f) {\nfloat half_ = 0.5f / max(ribbon.outline.segments, 1.0f);\nvec3 chord = directionAt(ribbon, clamp(t, half_, 1.0f - half_));\nvec3 ray = centre - eye;\nfloat distance = length(ray);\nvec3 side = cross(ray, chord);\nfloat square = dot(side, side);\nvec3 across = square > 1e-12f * dot(ray, ray) * dot(chord, chord)\n? side * inversesqrt(square)\n: ribbon.axis;\nfloat seen = dot(ribbon.axis, across);\nsection.wide *= abs(seen);\nsection.drawn = max(section.wide, minWidth * distance);\nvec3 outwards = outwardsOf(across, cross(ray, ribbon.v1 - ribbon.v0));\nvec3 grown =\n(0.5f * (section.drawn - section.wide) * (seen < 0.0f ? -1.0f : 1.0f)) * outwards;\nsection.left -= grown;\nsection.right += grown;\n}\nsection.ridge = 0.5f * (section.left + section.right);\nif (ribbon.fold > 0.0f)\nsection.ridge +=\n(0.5f * ribbon.fold * (edges.y - edges.x)) * normalize(cross(direction, ribbon.axis));\nreturn section;\n}\nfloat sectionMargin(float distance, float minWidth)\n{\nreturn minWidth * distance;\n}\nfloat marginBeside(float width, float distance, float minWidth)\n{\nreturn 0.5f * outlineMost * width + sectionMargin(distance, minWidth);\n}\nstruct SampleMask {\nfloat threshold;\nuint first;\nuint samples;\n};\nSampleMask sampleMaskOf(uint seed, uint samples)\n{\nSampleMask mask;\nmask.threshold = (float(seed & 0x1fffu) + 0.5f) / 8192.0f;\nmask.first = (seed >> 13u) % samples;\nmask.samples = samples;\nreturn mask;\n}\nuint keptCount(SampleMask mask, float weight)\n{\nreturn weight < 1.0f ? uint(max(weight, 0.0f) * float(mask.samples) + mask.threshold)\n: mask.samples;\n}\nuint keptBits(SampleMask mask, float weight)\n{\nuint all = (1u << mask.samples) - 1u;\nuint bits = (1u << min(keptCount(mask, weight), mask.samples)) - 1u;\nreturn ((bits << mask.first) | (bits >> (mask.samples - mask.first))) & all;\n}\nuint keptSamples(float weight, uint seed, uint samples)\n{\nreturn keptBits(sampleMaskOf(seed, samples), weight);\n}\n#endif\n",
+  // shaders/shared/visibility.h
+  "struct Verdict {\nuint cullResult;\nfloat widthFactor;\nfloat pixels;\nfloat margin;\n};\nfloat sparseShare(Eyepoint view, float share, float distance)\n{\nif (view.sparseFrom <= 0.0f || distance <= view.sparseFrom)\nreturn 1.0f;\nfloat nearness = view.sparseFrom / distance;\nreturn max(nearness * nearness * nearness, min(view.sparseLeast / share, 1.0f));\n}\nfloat leavesPerDrawn(Eyepoint view, float distance)\n{\nif (view.sparseFrom <= 0.0f || distance <= view.sparseFrom || view.lodThreshold <= 0.0f)\nreturn 1.0f;\nfloat share =\nlodShare(view.lodWidth * view.pixelsPerUnit / max(distance, 1e-6f), view.lodThreshold);\nreturn 1.0f / sqrt(sparseShare(view, share, distance));\n}\nfloat shareAt(Eyepoint view, float distance)\n{\nif (view.lodThreshold <= 0.0f)\nreturn lodFullShare;\nfloat share =\nlodShare(view.lodWidth * view.pixelsPerUnit / max(distance, 1e-6f), view.lodThreshold);\nreturn share * sparseShare(view, share, distance);\n}\nfloat middleWidth(Patch cell)\n{\nreturn cell.widthLow + 31.5f * cell.widthStep;\n}\nfloat leafAreaAround(Patch cell)\n{\nuint fewest = 4u;\nif (cell.bladeCount < fewest)\nreturn 0.0f;\nfloat count = float(cell.bladeCount);\nfloat side = 65535.0f * cell.rootStep * (count + 1.0f) / (count - 1.0f);\nfloat around = count / max(cell.rankHigh - cell.rankLow, 1e-6f);\nfloat height = cell.heightLow + 127.5f * cell.heightStep;\nreturn min(0.7f * around * middleWidth(cell) * height / max(side * side, 1e-12f), maxLeafArea);\n}\nfloat steepestRay(vec3 eye, Patch cell)\n{\nvec3 low = cell.boundsLow - eye;\nvec3 high = cell.boundsHigh - eye;\nvec3 middle = 0.5f * (low + high);\nfloat above =\nabs(dot(cell.coneAxis, middle)) + dot(abs(cell.coneAxis), 0.5f * (high - low));\nfloat nearest = max(boxDistance(eye, cell.boundsLow, cell.boundsHigh), 1e-6f);\nfloat slope = sqrt(max(1.0f - cell.coneCosine * cell.coneCosine, 0.0f));\nreturn min(above / nearest + max(slope - octahedralMaxError, 0.0f), 1.0f);\n}\nstruct LeafAreaLimit {\nfloat share;\nfloat height;\nfloat light;\n};\nLeafAreaLimit noLeafAreaLimit()\n{\nLeafAreaLimit limit;\nlimit.share = lodFullShare;\nlimit.height = 1.0f;\nlimit.light = 1.0f;\nreturn limit;\n}\nLeafAreaLimit leafAreaLimitOf(Eyepoint view, Patch cell)\n{\nLeafAreaLimit limit = noLeafAreaLimit();\nif (view.maxLeafArea <= 0.0f)\nreturn limit;\nfloat nearest = max(boxDistance(view.eye, cell.boundsLow, cell.boundsHigh), 1e-6f);\nfloat pixels = middleWidth(cell) * view.pixelsPerUnit / nearest;\nif (leafAreaShare(view.maxLeafArea, maxLeafArea, 0.0f, pixels) >= lodFullShare)\nreturn limit;\nfloat leafArea = min(view.areaFactor * leafAreaAround(cell), maxLeafArea);\nfloat cosine = steepestRay(view.eye, cell);\nlimit.share = leafAreaShare(view.maxLeafArea, leafArea, cosine, pixels);\nfloat range = 255.0f * cell.heightStep;\nfloat spread = min(2.0f * range / max(cell.heightLow + range, 1e-6f), 1.0f);\nlimit.height =\nheightCompensation(limit.share, leafAreaShare(1.0f, leafArea, cosine, 1.0f), spread);\nlimit.light = leafAreaLight(limit.share, spread);\nreturn limit;\n}\nBlade raised(Blade blade, float heightFactor)\n{\nBlade drawn = blade;\ndrawn.height = blade.height * heightFactor;\nreturn drawn;\n}\nstruct DrawnSize {\nfloat widthFactor;\nfloat pixels;\n};\nDrawnSize drawnSize(Eyepoint view, LeafAreaLimit limit, Blade blade, float rank,\nfloat distance)\n{\nfloat share = shareAt(view, distance);\nDrawnSize size;\nsize.widthFactor = lodWidthFactor(rank, share) / leavesPerDrawn(view, distance) *\nleafAreaWeight(rank / min(share, 1.0f), limit.share);\nsize.pixels = blade.height * view.pixelsPerUnit / max(distance, 1e-6f);\nreturn size;\n}\nfloat pixelsCovered(Blade blade, float height, float widthFactor)\n{\nreturn height * height * widthFactor * blade.width / blade.height;\n}\nfloat bladeRank(Patch cell, uint i)\n{\nreturn mix(cell.rankLow, cell.rankHigh, (float(i) + 0.5f) / float(cell.bladeCount));\n}\nfloat patchMargin(Eyepoint view, Patch cell, float widest)\n{\nvec3 farthest = max(abs(cell.boundsLow - view.eye), abs(cell.boundsHigh - view.eye));\nfloat share = shareAt(view, length(farthest));\nvec3 size = cell.boundsHigh - cell.boundsLow;\nfloat highest = 0.5f * min(size.x, min(size.y, size.z));\nreturn 0.5f * outlineMost * widest / (0.95f * share * leavesPerDrawn(view, length(farthest))) +\nsectionMargin(length(farthest), view.minWidth) +\n(view.maxLeafArea > 0.0f ? (maxHeightCompensation - 1.0f) * highest : 0.0f);\n}\nuint thickEnough(Eyepoint view, Patch cell)\n{\nif ((view.cullMask & leaveThinned) == 0u || view.lodThreshold <= 0.0f)\nreturn cell.bladeCount;\nfloat thinned = shareAt(view, boxDistance(view.eye, cell.boundsLow, cell.boundsHigh));\nfloat share = min(thinned, min(thinned, 1.0f) * leafAreaLimitOf(view, cell).share);\nif (share <= cell.rankLow)\nreturn 0u;\nif (share >= cell.rankHigh)\nreturn cell.bladeCount;\nfloat count = float(cell.bladeCount);\nfloat first = (share - cell.rankLow) / (cell.rankHigh - cell.rankLow) * count;\nreturn min(uint(ceil(first)) + 1u, cell.bladeCount);\n}\nbool thinnedBelow(Eyepoint view, Patch cell, float rankBelow)\n{\nreturn (view.cullMask & leaveThinned) != 0u && view.lodThreshold > 0.0f &&\nshareAt(view, boxDistance(view.eye, cell.boundsLow, cell.boundsHigh)) <= rankBelow;\n}\nbool patchCulled(Eyepoint view, Patch cell, float widest)\n{\nif ((view.cullMask & cullPatch) == 0u)\nreturn false;\nfloat margin = patchMargin(view, cell, widest);\nvec3 low = cell.boundsLow - vec3(margin);\nvec3 high = cell.boundsHigh + vec3(margin);\nbool outside = false;\nfor (uint i = 0u; i < 6u; ++i) outside =\noutside || boxOutside(view.planes[i], low, high);\nif (outside)\nreturn true;\nreturn (view.cullMask & cullDistance) != 0u &&\nboxDistance(view.eye, cell.boundsLow, cell.boundsHigh) > view.drawDistance;\n}\nbool seenTooNarrow(Eyepoint view, PosedBlade posed, float widthFactor)\n{\nBlade blade = posed.blade;\nfloat distance = length(posed.v0 - view.eye);\nfloat cosine = edgeOnCosine(view.eye, posed.v0, posed.axis);\nif (cosine > view.maxEdgeOn)\nreturn true;\nfloat nearest = distance - blade.height;\nif (nearest <= 0.0f || view.minWidth <= 0.0f)\nreturn false;\nfloat sine = min(sqrt(1.0f - cosine * cosine) + 1.58f * blade.height / distance, 1.0f);\nfloat widest = outlineMost * blade.width * widthFactor * sine;\nreturn keptSamples(widest / (view.minWidth * nearest), blade.seed, view.samples) == 0u;\n}\nVerdict cullBlade(Eyepoint view, LeafAreaLimit limit, PosedBlade posed, float rank)\n{\nBlade blade = posed.blade;\nfloat distance = length(blade.root - view.eye);\nDrawnSize size = drawnSize(view, limit, blade, rank, distance);\nfloat factor = size.widthFactor;\nVerdict verdict;\nverdict.cullResult = cullResultDrawn;\nverdict.widthFactor = factor;\nverdict.pixels = size.pixels;\nverdict.margin = 0.5f * outlineMost * blade.width * max(factor, 1.0f) +\nsectionMargin(distance + blade.height, view.minWidth);\nbool outside = false;\nif ((view.cullMask & cullFrustum) != 0u)\nfor (uint i = 0u; i < 6u; ++i) outside =\noutside || curveOutside(view.planes[i], posed.v0, posed.v1, posed.v2, verdict.margin);\nif ((view.cullMask & cullOrientation) != 0u &&\nseenTooNarrow(view, posed, factor > 0.0f ? factor : 1.0f))\nverdict.cullResult = cullResultOrientation;\nelse if (outside)\nverdict.cullResult = cullResultFrustum;\nelse if ((view.cullMask & cullDistance) != 0u &&\n(distance > view.drawDistance ||\n!bucketsKeep(view.buckets, view.bucketDistance, distance, rank)))\nverdict.cullResult = cullResultDistance;\nelse if (factor <= 0.0f)\nverdict.cullResult = cullResultLod;\nif (verdict.cullResult != cullResultDrawn)\nverdict.widthFactor = 0.0f;\nreturn verdict;\n}\n#endif\n",
+  // web/shaders/move.vert
+  "uniform float elapsed;\nuniform float stateRows;\nflat out uint outTurn;\nvoid main()\n{\noutTurn = 0u;\ngl_PointSize = 1.0;\ngl_Position = vec4(2.0, 2.0, 2.0, 1.0);\nif (uint(gl_VertexID) >= group.z)\nreturn;\nPatch cell = fetchPatchArray(group.x);\nuint index = cell.firstBlade + group.y + uint(gl_VertexID);\nBlade blade = unpackBlade(fetchBladeArray(index), cell);\nuint before = fetchUintArray(index);\nbool isNew = before == unsettledTurn;\nBladeState state = BladeState(isNew ? 0u : before, 0.0);\nColliderMask none;\noutTurn = before;\nfloat since = isNew ? settlingTime : elapsed;\nif (since > 0.0)\noutTurn = advanceBlade(blade, FRAME.environment, none, state, 0.0, since).turn;\nivec2 place = placeInTable(index);\ngl_Position = vec4((vec2(place) + 0.5) / vec2(float(tableWidth), stateRows) * 2.0 - 1.0, 0.0, 1.0);\n}\n",
+  // web/shaders/move.frag
+  "flat in uint outTurn;\nlayout(location = 0) out uint turn;\nvoid main()\n{\nturn = outTurn;\n}\n",
+  // shaders/blade/blade_colors.glsl
+  "#ifndef SWARD_BLADE_BLADE_COLORS_GLSL\n#define SWARD_BLADE_BLADE_COLORS_GLSL\n",
+  // shaders/blade/blade_surface.glsl
+  "#ifndef SWARD_BLADE_BLADE_SURFACE_GLSL\n#define SWARD_BLADE_BLADE_SURFACE_GLSL\n",
+  // shaders/common/lighting.glsl
+  "#ifndef SWARD_COMMON_LIGHTING_GLSL\n#define SWARD_COMMON_LIGHTING_GLSL\n",
+  // shaders/common/output_mode.glsl
+  "#ifndef SWARD_COMMON_OUTPUT_MODE_GLSL\n#define SWARD_COMMON_OUTPUT_MODE_GLSL\n",
+  // shaders/shared/constants.h
+  "#ifndef SWARD_SHARED_CONSTANTS_H\n#define SWARD_SHARED_CONSTANTS_H\n",
+  // shaders/shared/constants.h
+  "const uint idKnownDebugMode = 0u;\nconst uint idSamplesPerPixel = 1u;\nconst uint idHasForwardZ = 2u;\nconst uint idOutputMode = 3u;\nconst uint idWritesMotion = 4u;\nconst uint idStoredAs = 5u;\nconst uint idIsPaged = 6u;\nconst uint idOnlyShape = 7u;\nconst uint idMayFold = 8u;\nconst uint idMayHaveOrgans = 9u;\nconst uint idRole = 10u;\nconst uint idTakes = 11u;\nconst uint idFeatures = 12u;\nconst uint idWindCounts = 13u;\nconst uint idHasColliders = 14u;\nconst uint idKeepsBefore = 15u;\nconst uint idKeepsEtas = 16u;\nconst uint idTestsSmall = 17u;\nconst uint idPatchesOfGroup = 18u;\nconst uint idThreadsOfGroup = 19u;\nconst uint idLargeTo = 20u;\nconst uint idFillsAll = 21u;\nconst uint idIsOfColliders = 22u;\nconst uint idDrawsSunMap = 23u;\nconst uint idWritesDraws = 24u;\nconst uint idTileList = 25u;\nconst uint idShowsBlades = 26u;\nconst uint idShowsSky = 27u;\nconst uint idHasShadingCache = 28u;\nconst uint idHasHostLight = 29u;\nconst uint idLimitsLeafArea = 30u;\nconst uint debugNothing = 0u;\nconst uint debugWind = 3u;\nconst uint debugAsTold = 0xffffffffu;\nconst uint outputFilm = 0u;\nconst uint outputHost = 1u;\nconst uint outputRadiance = 2u;\nconst uint outputNone = 3u;\n#endif\n",
+  // shaders/common/output_mode.glsl
+  "const uint outputMode = 0u;\n#endif\n",
+  // shaders/shared/distance_band.h
+  "#ifndef SWARD_SHARED_DISTANCE_BAND_H\n#define SWARD_SHARED_DISTANCE_BAND_H\n",
+  // shaders/shared/distance_band.h
+  "const uint distanceBands = 8u;\nconst uint debugNear = 5u;\nuint distanceBand(float distance, float farthest)\n{\nfloat nearest = min(2.0f, 0.01f * farthest);\nfloat share = log2(max(distance, nearest) / nearest) / log2(farthest / nearest);\nreturn min(uint(float(distanceBands) * share), distanceBands - 1u);\n}\n#endif\n",
+  // shaders/shared/look/blade_colors.h
+  "#ifndef SWARD_SHARED_LOOK_BLADE_COLORS_H\n#define SWARD_SHARED_LOOK_BLADE_COLORS_H\n",
+  // shaders/shared/look/blade_colors.h
+  "struct BladeColors {\nvec3 root;\nvec3 tip;\n};\nconst vec3 throughTint = vec3(1.25f, 1.15f, 0.45f);\nconst float throughShare = 0.8f;\nfloat tipShareAt(float along)\n{\nreturn smoothstep(-0.15f, 0.8f, along);\n}\nvec3 decodeSrgb(vec3 c)\n{\nreturn mix(c / 12.92f, pow((c + 0.055f) / 1.055f, vec3(2.4f)), greaterThan(c, vec3(0.04045f)));\n}\nfloat chance(uint key)\n{\nreturn float(mixUint(key) >> 8u) * (1.0f / 16777215.0f);\n}\nfloat meadowAt(vec3 position)\n{\nreturn 0.65f * valueNoise(position / 2.3f) + 0.35f * valueNoise(position / 0.7f);\n}\nfloat regionAt(vec3 position)\n{\nreturn valueNoise(position / 13.0f + 71.0f);\n}\nvec3 shiftOf(float hue)\n{\nreturn vec3(1.0f + 0.75f * hue, 1.0f + 0.10f * hue, 1.0f - 0.45f * hue);\n}\nfloat clumpTone(uint clump)\n{\nreturn chance(clump * 977u + 11u);\n}\nvec3 meadowShade(vec3 position, float tone)\n{\nfloat meadow = meadowAt(position);\nfloat region = regionAt(position);\nfloat hue =\n0.45f * (0.7f * (tone - 0.5f) + 1.1f * (meadow - 0.5f) + 1.2f * (region - 0.5f));\nfloat light = 1.0f + 0.45f * (0.6f * (tone - 0.5f) + 0.5f * (meadow - 0.5f) +\n0.4f * (region - 0.5f));\nreturn light * shiftOf(hue);\n}\nBladeColors bladeColors(Cover cover, Blade blade, Species species, float leafArea)\n{\nfloat clump = clumpTone(blade.clump);\nuint kept = uint(blade.facing * (256.0f / twoPi) + 0.5f) |\n(uint(blade.stiffness * 63.0f + 0.5f) << 8u) |\n(uint(blade.tint.y * 63.0f + 0.5f) << 14u) | (blade.clump << 20u);\nfloat single = chance(kept * 16u + blade.hash);\nfloat other = chance(kept * 16u + blade.hash + 0x9e3779b9u);\nfloat meadow = meadowAt(blade.root);\nfloat region = regionAt(blade.root);\nfloat amount = species.colorVariation;\nfloat light = 1.0f + amount * (0.9f * (single - 0.5f) + 0.6f * (clump - 0.5f) +\n0.5f * (meadow - 0.5f) + 0.4f * (region - 0.5f));\nfloat hue = amount * (0.7f * (clump - 0.5f) + 0.5f * (other - 0.5f) +\n1.1f * (meadow - 0.5f) + 1.2f * (region - 0.5f));\nvec3 shift = shiftOf(hue);\nBladeColors colors;\nvec3 ground = groundUnder(cover, decodeSrgb(blade.tint), shift, cover.thinned * leafArea);\ncolors.root = mix(species.rootColor * shift, ground, species.groundTint) * light;\ncolors.tip = species.tipColor * shift * light;\nfloat dead = blade.clump == driedClump ? 1.0f : 0.0f;\nfloat dry =\nmax(smoothstep(0.0f, 0.25f, species.dryness * (0.6f + 0.8f * meadow) - other), dead);\nvec3 straw = vec3(0.42f, 0.32f, 0.13f) * (0.7f + 0.6f * single);\ncolors.tip = mix(colors.tip, straw, 0.8f * dry);\ncolors.root = mix(colors.root, straw * 0.6f, 0.25f * dry + 0.3f * dead);\nreturn colors;\n}\n#endif\n",
+  // shaders/shared/look/film_curve.h
+  "#ifndef SWARD_SHARED_LOOK_FILM_CURVE_H\n#define SWARD_SHARED_LOOK_FILM_CURVE_H\n",
+  // shaders/shared/look/film_curve.h
+  "vec3 filmOf(vec3 exposed)\n{\nvec3 x = exposed * 0.80f;\nvec3 film = (x * (2.51f * x + 0.03f)) / (x * (2.43f * x + 0.59f) + 0.14f);\nreturn clamp(film, 0.0f, 1.0f);\n}\n#endif\n",
+  // shaders/common/lighting.glsl
+  "#ifndef FRAME\n#define FRAME push.frame.at[0]\n#endif\n#ifndef WIND_SOURCE\n#define WIND_SOURCE(wind, i) FRAME.environment.wind.sources[i]\n#define WIND_PHASE(wind, i) FRAME.environment.wind.phases[i]\n#define WIND_LATTICE(wind) FRAME.environment.wind.lattice\n#endif\n",
+  // shaders/common/lighting.glsl
+  "const uint knownDebugMode = 0u;\nconst bool paintsWind = knownDebugMode == debugWind;\nuint debugMode()\n{\nreturn knownDebugMode == debugAsTold ? FRAME.debugMode : knownDebugMode;\n}\nbool showsBands()\n{\nreturn debugMode() >= debugNear;\n}\nfloat luminance(vec3 color)\n{\nreturn dot(color, vec3(0.2126, 0.7152, 0.0722));\n}\nvec3 paleSky(float sunCosine)\n{\nfloat towards = 0.5 + 0.5 * sunCosine;\nvec3 pale = mix(vec3(1.12, 1.02, 0.90), vec3(1.36, 1.12, 0.96), FRAME.lowSun);\nreturn FRAME.skyColor * mix(pale, vec3(2.50, 1.45, 0.66), FRAME.lowSun * towards * towards);\n}\nvec3 glowAround(float sunCosine)\n{\nfloat toSun = max(sunCosine, 0.0);\nfloat glow = 0.10 * pow(toSun, 4.0) + 0.22 * pow(toSun, 32.0) + 0.5 * pow(toSun, 400.0);\nreturn glow * FRAME.sunColor * mix(vec3(0.36, 0.34, 0.31), vec3(0.45, 0.33, 0.22), FRAME.lowSun);\n}\nvec3 skyAbove(float height, float sunCosine)\n{\nvec3 zenith = FRAME.skyColor * vec3(0.15, 0.30, 0.56);\nreturn mix(paleSky(sunCosine), zenith, 1.0 - exp(-4.0 * height)) + glowAround(sunCosine);\n}\nvec3 skyRadiance(vec3 ray)\n{\nfloat height = dot(ray, FRAME.skyUp);\nfloat sunCosine = dot(ray, FRAME.sunDirection);\nif (height >= 0.0)\nreturn skyAbove(height, sunCosine);\nvec3 pale = paleSky(sunCosine);\nvec3 haze = mix(0.85 * pale, FRAME.groundColor, 0.2);\nreturn mix(pale, haze, 1.0 - exp(2.2 * height)) + glowAround(sunCosine);\n}\nvec3 hemisphere(vec3 n)\n{\nreturn mix(FRAME.groundColor, 1.25 * FRAME.skyColor, 0.5 + 0.5 * dot(n, FRAME.skyUp));\n}\nconst float passedAgain = 0.5;\nvec3 lightAmongLeaves(float leafArea, float below, float cosine, vec3 sun, vec3 sky, vec3 leaf)\n{\nfloat risen = max(cosine, lowestSun);\nfloat crossed = leafProjectionAlong(leafProjectionOf(FRAME.cover), risen) / risen;\nfloat left = exp(-crossed * leafArea);\nfloat open = skyBelow(leafArea);\nfloat leftAbove = leafArea > 1e-3 ? (1.0 - left) / (crossed * leafArea) : 1.0;\nfloat openAbove = leafArea > 1e-3 ? (1.0 - open) / (skyExtinction * leafArea) : 1.0;\nfloat leaves = 1.0 - open;\nfloat sunOfLeaves = leaves * leftAbove + below * left / (1.0 + crossed / skyExtinction);\nfloat skyOfLeaves = leaves * openAbove + below * open * 0.5;\nvec3 once = 0.25 * leaf * (sun * (crossed * risen * sunOfLeaves) + sky * skyOfLeaves);\nreturn once / (1.0 - passedAgain * leaf);\n}\nfloat clearBetween(float climb, float distance)\n{\nfloat rise = FRAME.fogFalloff * distance * climb;\nfloat mean = abs(rise) > 1e-3 ? (1.0 - exp(-rise)) / rise : 1.0 - 0.5 * rise;\nreturn exp(-FRAME.fogDensity * distance * mean);\n}\nvec3 throughAir(vec3 color, vec3 direction, float distance)\n{\nfloat climb = dot(direction, FRAME.skyUp);\nfloat perLength = inversesqrt(max(1.0 - climb * climb, 0.0) + 0.02 * 0.02);\nfloat sunCosine = dot(direction, FRAME.sunDirection) -\n(climb - 0.02) * dot(FRAME.skyUp, FRAME.sunDirection);\nreturn mix(skyAbove(0.02 * perLength, sunCosine * perLength), color, clearBetween(climb, distance));\n}\nvec3 develop(vec3 radiance)\n{\nif (outputMode == outputRadiance)\nreturn radiance * FRAME.exposure;\nreturn filmOf(radiance * FRAME.exposure);\n}\nfloat softness(float distance, float share)\n{\nif (FRAME.view.minWidth <= 0.0 || debugMode() != debugNothing)\nreturn 0.0;\nfloat widthPixels = FRAME.view.lodWidth * FRAME.view.pixelsPerUnit / max(distance, 1e-6);\nreturn share * (1.0 - smoothstep(0.6, 1.5, widthPixels));\n}\nvec3 dithered(vec3 color, vec2 place)\n{\nif (outputMode == outputRadiance)\nreturn color;\nuint h = mixUint(uint(place.x) + 65536u * uint(place.y));\nfloat noise = float(h >> 8u) * (1.0 / 16777215.0) - 0.5;\nreturn color + noise * (2.2 / 255.0) * pow(max(color, 0.0), vec3(0.5454));\n}\nvec3 colorOf(uint number)\n{\nuint h = mixUint(number * 2654435761u + 12345u);\nreturn 0.15 + 0.85 * vec3(h & 255u, (h >> 8u) & 255u, (h >> 16u) & 255u) / 255.0;\n}\nvec3 colorOfWind(vec3 position, vec3 up)\n{\nvec3 wind = windAt(FRAME.environment.wind, position, up, 0.0);\nfloat speed = clamp(length(wind) / max(FRAME.environment.wind.sum, 1e-6), 0.0, 1.0);\nreturn mix(mix(vec3(0.01, 0.03, 0.20), vec3(0.02, 0.45, 0.15), smoothstep(0.0, 0.45, speed)),\nvec3(1.0, 0.95, 0.8), smoothstep(0.35, 1.0, speed));\n}\n#endif\n",
+  // shaders/blade/blade_surface.glsl
+  "struct BladeSurface {\nvec4 root;\nvec4 tip;\nvec4 material;\n};\nfloat packedLook(vec3 look)\n{\nvec3 bytes = floor(clamp(look, 0.0, 1.0) * 255.0 + 0.5);\nreturn dot(bytes, vec3(65536.0, 256.0, 1.0));\n}\nvec3 unpackedLook(float packed)\n{\nuint bits = uint(packed);\nreturn vec3(uvec3(bits >> 16u, bits >> 8u, bits) & 255u) / 255.0;\n}\nfloat packedHeights(vec3 steps)\n{\nreturn packedLook(steps / float(heightSteps));\n}\nfloat leafAreaAbove(vec4 material, float along)\n{\nvec3 steps = float(heightSteps) * unpackedLook(material.z);\nfloat height = mix(mix(steps.x, steps.y, along), mix(steps.y, steps.z, along), along);\nreturn material.y * leafShareAbove(FRAME.cover, height);\n}\nfloat packedFinish(uint finish, float pixels)\n{\nreturn floor(clamp(pixels * 4.0, 0.0, 255.0) + 0.5) + 256.0 * float(finish);\n}\nuint finishIn(float packed)\n{\nreturn uint(packed) >> 8u;\n}\nfloat pixelsIn(float packed)\n{\nreturn 0.25 * float(uint(packed) & 255u);\n}\nfloat fleckLength()\n{\nreturn 1.5 / max(FRAME.cover.stepsPerMetre, 1e-6);\n}\nfloat fleckCount(float length_)\n{\nreturn clamp(floor(length_ / fleckLength() + 0.5), 1.0, 255.0);\n}\n#endif\n",
+  // shaders/blade/drawn_blade.glsl
+  "#ifndef SWARD_BLADE_DRAWN_BLADE_GLSL\n#define SWARD_BLADE_DRAWN_BLADE_GLSL\n",
+  // shaders/blade/known_shape.glsl
+  "#ifndef SWARD_BLADE_KNOWN_SHAPE_GLSL\n#define SWARD_BLADE_KNOWN_SHAPE_GLSL\n",
+  // shaders/blade/known_shape.glsl
+  "const uint onlyShape = shapeCount;\nuint knownShape(uint shape)\n{\nreturn onlyShape < shapeCount ? onlyShape : shape;\n}\n#endif\n",
+  // shaders/blade/pages.glsl
+  "uint placeOf(uvec2 pages, uint blade) { return blade; }\n",
+  // shaders/blade/drawn_blade.glsl
+  "#ifndef FRAME\n#define FRAME push.frame.at[0]\n#endif\nconst bool mayHaveOrgans = true;\nstruct DrawnBlade {\nRibbon ribbon;\nBlade blade;\nSpecies species;\n};\nstruct PosedLook {\nPosedBlade posed;\nSpecies look;\nuint number;\n};\nPosedLook posedLook(Blade blade, BladeState state)\n{\nPosedLook part = PosedLook(posedBlade(blade, state), fetchSpeciesArray(uint(blade.species)), 0u);\nif (!mayHaveOrgans || part.look.organKinds == 0u)\nreturn part;\npart.number = blade.clump;\nif (part.number > 0u) {\nuint within;\nOrganTable organs = OrganTable(0u);\nOrgan organ = fetchOrganTable(uint(organOf(organs, part.look, part.number, within)));\npart.posed = posedRibbon(part.posed, organ, part.number, within);\npart.look = organ.look;\n}\npart.posed.blade.clump = plantKey(blade) % driedClump;\nreturn part;\n}\nfloat maxReach(Blade blade)\n{\nreturn (mayHaveOrgans ? 2.3 : 1.0) * blade.height;\n}\nfloat segmentsOf(Ribbon ribbon, float height, uint shape, float heightPixels, float widthPixels)\n{\nif (FRAME.fixedTessellation > 0.0)\nreturn clamp(FRAME.fixedTessellation, 1.0, 64.0);\nif (FRAME.levelSteps.count > 0u)\nreturn segmentsAt(FRAME.levelSteps, length(ribbon.v0 - FRAME.view.eye));\nreturn segmentsFor(ribbon.v0, ribbon.v1, ribbon.v2, height, shape, heightPixels, widthPixels,\nfloat(FRAME.maxTessellation));\n}\nDrawnBlade drawnBlade(VisibleBlade visible, PosedLook part)\n{\nSpecies species = part.look;\nPosedBlade posed = part.posed;\nDrawnBlade drawn;\ndrawn.blade = posed.blade;\ndrawn.species = species;\nfloat height = posed.blade.height;\nRibbon ribbon;\nribbon.v0 = posed.v0;\nribbon.v1 = posed.v1;\nribbon.v2 = posed.v2;\nribbon.axis = posed.axis;\nribbon.width = posed.blade.width * widthFactorOf(visible);\nfloat widthPixels = visible.pixels * ribbon.width / height;\nribbon.fold = foldOf(species.fold, widthPixels);\nuint shape = knownShape(species.shape);\nribbon.outline = outlineOf(shape, species.tipThreshold,\nsegmentsOf(ribbon, height, shape, visible.pixels, widthPixels));\nribbon.seed = posed.blade.seed;\ndrawn.ribbon = ribbon;\nreturn drawn;\n}\nDrawnBlade drawnBlade(VisibleBlade visible, Blade blade, BladeState state)\n{\nreturn drawnBlade(visible, posedLook(blade, state));\n}\nBladeState stateOf(VisibleBlade visible)\n{\nreturn BladeState(fetchUintArray(uint(placeOf(uvec2(0u), visible.blade))), 0.0);\n}\nBlade visibleBlade(VisibleBlade visible)\n{\nBlade blade = unpackBlade(fetchBladeArray(uint(placeOf(uvec2(0u), visible.blade))),\nfetchPatchArray(uint(visible.patchIndex)));\nreturn raised(blade, heightFactorOf(visible));\n}\nDrawnBlade drawnBlade(VisibleBlade visible)\n{\nreturn drawnBlade(visible, visibleBlade(visible), stateOf(visible));\n}\n#endif\n",
+  // shaders/shared/cull_result_color.h
+  "#ifndef SWARD_SHARED_CULL_RESULT_COLOR_H\n#define SWARD_SHARED_CULL_RESULT_COLOR_H\n",
+  // shaders/shared/cull_result_color.h
+  "const uint debugReason = 4u;\nvec3 cullResultColor(uint cullResult)\n{\nif (cullResult == cullResultDrawn)\nreturn vec3(0.06f, 0.34f, 0.12f);\nif (cullResult == cullResultPatch)\nreturn vec3(0.30f, 0.30f, 0.33f);\nif (cullResult == cullResultOrientation)\nreturn vec3(0.86f, 0.77f, 0.05f);\nif (cullResult == cullResultFrustum)\nreturn vec3(0.66f, 0.11f, 0.01f);\nif (cullResult == cullResultDistance)\nreturn vec3(0.02f, 0.17f, 0.45f);\nif (cullResult == cullResultOcclusion)\nreturn vec3(0.60f, 0.19f, 0.38f);\nreturn vec3(0.09f, 0.46f, 0.81f);\n}\n#endif\n",
+  // shaders/shared/look/leaf_finish.h
+  "#ifndef SWARD_SHARED_LOOK_LEAF_FINISH_H\n#define SWARD_SHARED_LOOK_LEAF_FINISH_H\n",
+  // shaders/shared/look/leaf_finish.h
+  "const uint finishGrass = 0u;\nconst uint finishBroad = 1u;\nconst uint finishPetal = 2u;\nconst uint finishStalk = 3u;\nconst uint finishPlain = 4u;\nuint finishOf(Species look)\n{\nif (look.shape == shapeQuad)\nreturn finishStalk;\nif (look.shape != shapeLeaf && look.shape != shapeDandelion)\nreturn finishGrass;\nreturn look.tipColor.y > max(look.tipColor.x, look.tipColor.z) ? finishBroad : finishPetal;\n}\nfloat finishDice(uint seed)\n{\nreturn float(seed & 255u) * (1.0f / 255.0f);\n}\nfloat endWave(float away, float falls)\n{\nfloat rest = max(1.0f - away, 0.0f);\nreturn rest * rest * (1.0f - falls * away);\n}\nvec3 toneAlong(uint finish, float along, uint seed)\n{\nif (finish == finishBroad || finish == finishPlain)\nreturn vec3(1.0f);\nif (finish == finishPetal)\nreturn vec3(1.0f) -\nendWave(min(along * (1.0f / 0.6f), 1.0f), 2.5f) * vec3(0.12f, 0.22f, 0.42f);\nvec3 tone =\nvec3(1.0f) + endWave(min(along * 2.5f, 1.0f), 4.0f) * vec3(0.75f, 0.3f, 0.55f);\nif (finish == finishStalk)\nreturn tone;\nfloat dry = smoothstep(0.3f, 1.0f, finishDice(seed));\nreturn tone + (dry * endWave(min(2.2f - 2.2f * along, 1.0f), 2.5f)) * vec3(0.12f, -0.2f, -0.35f);\n}\nstruct Veins {\nvec3 tone;\nfloat slope;\n};\nfloat midribAt(float x, float reach)\n{\nfloat off = x / reach;\nfloat rest = max(1.0f - off * off, 0.0f);\nreturn rest * rest - (8.0f / 15.0f) * reach;\n}\nfloat shareSeen(float spacing)\n{\nreturn smoothstep(2.5f, 5.0f, spacing);\n}\nconst float halfWave = 3.14159265f;\nVeins veinsAt(uint finish, vec2 place, float pixels, uint seed)\n{\nfloat x = place.x;\nfloat t = place.y;\nVeins veins;\nveins.tone = vec3(1.0f);\nveins.slope = 0.0f;\nfloat wide =\nfinish == finishStalk\n? pixels\n: pixels * min(1.0f, finish == finishGrass ? 2.0f - 2.0f * t : 4.0f * t * (1.0f - t));\nfloat ridge = shareSeen(0.6f * wide);\nfloat phase = 40.0f * finishDice(seed);\nif (finish == finishGrass) {\nfloat few = shareSeen(wide / 7.0f);\nfloat many = shareSeen(wide / 17.0f);\nfloat a = 7.0f * halfWave * x + phase;\nfloat b = 17.0f * halfWave * x + 2.0f * phase;\nveins.tone += (ridge * midribAt(x, 0.16f)) * vec3(0.45f, 0.36f, 0.8f) +\n0.09f * few * cos(a) + 0.07f * many * cos(b);\nveins.slope = 0.16f * few * sin(a) + 0.14f * many * sin(b);\n} else if (finish == finishBroad) {\nfloat a = 2.0f * halfWave * (7.0f * t - abs(x)) + phase;\nfloat side = shareSeen(0.3f * wide);\nveins.tone += (ridge * midribAt(x, 0.1f)) * vec3(0.5f, 0.42f, 0.7f) +\nside * (0.1f * cos(a) + 0.06f * cos(2.0f * a) + 0.03f * cos(3.0f * a));\nveins.slope = 0.12f * side * sin(a) * sign(x);\n} else if (finish == finishPetal) {\nfloat a = 5.0f * halfWave * x + phase;\nfloat b = 13.0f * halfWave * x + 2.0f * phase;\nfloat few = shareSeen(wide / 5.0f);\nfloat many = shareSeen(wide / 13.0f);\nveins.tone += 0.07f * few * cos(a) + (0.08f * (1.0f - 0.5f * t)) * many * cos(b);\nveins.slope = 0.3f * few * sin(a) + 0.15f * many * sin(b);\n} else if (finish == finishStalk) {\nfloat a = 4.0f * halfWave * x + phase;\nfloat few = shareSeen(0.4f * wide);\nveins.tone += 0.1f * few * cos(a);\nveins.slope = 0.12f * few * sin(a);\n}\nreturn veins;\n}\nconst float roughnessAcross = 0.46f;\nconst float roughnessAlong = 0.18f;\nconst float mirroredHeadOn = 0.019f;\nfloat coatShine(vec3 normal, vec3 tangent, vec3 source, vec3 eye)\n{\nfloat facing = dot(normal, source);\nvec3 sum = source + eye;\nfloat along = dot(sum, tangent);\nfloat up = dot(sum, normal);\nif (facing <= 0.0f || up <= 0.0f)\nreturn 0.0f;\nfloat square = dot(sum, sum);\nfloat across = max(square - up * up - along * along, 0.0f);\nfloat depth = max(up * up, 0.0625f);\nfloat slopes = (along * along * (1.0f / (roughnessAlong * roughnessAlong)) +\nacross * (1.0f / (roughnessAcross * roughnessAcross))) /\ndepth;\nfloat grazing = max(1.0f - 0.5f * sqrt(square), 0.0f);\nfloat twice = grazing * grazing;\nfloat fresnel = mirroredHeadOn + (1.0f - mirroredHeadOn) * twice * twice * grazing;\nreturn facing * fresnel * exp(-slopes) * square /\n(roughnessAcross * roughnessAlong * depth * depth);\n}\nfloat coatAlbedo(float cosine)\n{\nfloat grazing = 1.0f - clamp(cosine, 0.1f, 1.0f);\nfloat twice = grazing * grazing;\nreturn 0.017f + 0.3f * twice * twice;\n}\n#endif\n",
+  // shaders/blade/blade_colors.glsl
+  "BladeSurface liftedSurface(BladeSurface surface, float above)\n{\nfloat root = 1.0 - heightWithLeafShare(above);\nsurface.root = vec4(mix(surface.root.rgb, surface.tip.rgb, tipShareAt(root)), mix(surface.root.w, surface.tip.w, root));\nsurface.material.y *= above;\nreturn surface;\n}\nBladeSurface bladeSurface(DrawnBlade drawn, VisibleBlade visible, LeafAreaLimit limit)\n{\nBlade blade = drawn.blade;\nSpecies species = drawn.species;\nvec3 grass = grassAt(FRAME.cover, blade.root);\nfloat leafArea = grass.x;\nBladeColors colors = bladeColors(FRAME.cover, blade, species, leafArea);\nif (debugMode() == 1u)\ncolors.tip = mix(vec3(0.1, 0.6, 0.1), vec3(1.0, 0.1, 0.0),\nclamp(log2(max(widthFactorOf(visible), 1.0)) / 4.0, 0.0, 1.0));\nelse if (debugMode() == 2u)\ncolors.tip = colorOf(visible.patchIndex);\nelse if (debugMode() == debugReason)\ncolors.tip = cullResultColor(fetchUintArray(uint(placeOf(uvec2(0u), visible.blade))));\nif (paintsWind)\ncolors.tip = colorOfWind(blade.root, blade.up);\nif (debugMode() != debugNothing)\ncolors.root = 0.4 * colors.tip;\nfloat risen = smoothstep(-0.15, 0.25, dot(blade.up, FRAME.sunDirection));\nBladeSurface surface;\nsurface.root = vec4(colors.root, risen * sunSeen(FRAME.shadow, drawn.ribbon.v0, blade.up));\nsurface.tip = vec4(colors.tip, risen * sunSeen(FRAME.shadow, drawn.ribbon.v2, blade.up));\nvec3 heights = vec3(dot(drawn.ribbon.v0 - blade.root, blade.up), dot(drawn.ribbon.v1 - blade.root, blade.up),\ndot(drawn.ribbon.v2 - blade.root, blade.up));\nfloat missing = leavesPerDrawn(FRAME.view, distance(blade.root, FRAME.view.eye));\nsurface.material = vec4(packedLook(vec3(blade.exposure, species.translucency, species.gloss)),\nleavesAround(leafArea / missing, FRAME.cover.thinned * missing),\npackedHeights(heightStepsPerMetre(FRAME.cover, grass) / heightFactorOf(visible) * heights),\npackedFinish(finishOf(species), visible.pixels * drawn.ribbon.width / blade.height));\nif (limit.light < 1.0) return liftedSurface(surface, limit.light); return surface;\n}\n#endif\n",
+  // web/shaders/pose.vert
+  "uniform float maxSegments;\nflat out uvec4 recordV0;\nflat out uvec4 recordV1;\nflat out uvec4 recordV2;\nflat out uvec4 recordSurface;\nflat out uvec4 recordFrame;\nflat out uvec4 recordBend;\nvoid keep(DrawnBlade drawn, BladeSurface surface, uint index)\n{\nRibbon ribbon = drawn.ribbon;\nvec3 lower = normalize(ribbon.v1 - ribbon.v0);\nfloat size = max(length(ribbon.v1 - ribbon.v0), 1e-9);\nvec3 upperWay = (ribbon.v2 - ribbon.v1) / size;\nvec3 upper = dot(upperWay, upperWay) > 1e-6 ? upperWay : 1e-3 * lower;\nfloat bend = length(upper);\nrecordV0 = uvec4(floatBitsToUint(ribbon.v0), floatBitsToUint(ribbon.width));\nrecordV1 = uvec4(floatBitsToUint(ribbon.v1), packHalf2x16(vec2(ribbon.outline.tipThreshold, ribbon.outline.scale)));\nrecordV2 = uvec4(floatBitsToUint(ribbon.v2),\nribbon.seed | (ribbon.outline.shape << 16u) | (uint(ribbon.outline.segments) << 24u));\nrecordSurface = uvec4(packHalf2x16(surface.root.rg), packHalf2x16(vec2(surface.root.b, surface.tip.r)),\npackHalf2x16(surface.tip.gb),\npackUnorm4x8(vec4(unpackedLook(surface.material.x), surface.root.w)));\nrecordFrame = uvec4(packHalf2x16(vec2(surface.material.y, surface.tip.w)), encodeWideOctahedral(ribbon.axis),\nencodeWideOctahedral(lower), packHalf2x16(vec2(ribbon.fold, bend)));\nrecordBend = uvec4(encodeWideOctahedral(upper / bend),\nuint(surface.material.z) | (uint(fleckCount(size * (1.0 + bend))) << 24u),\nuint(surface.material.w), index);\n}\nvoid main()\n{\nrecordV0 = uvec4(0u);\nrecordV1 = uvec4(0u);\nrecordV2 = uvec4(0u);\nrecordSurface = uvec4(0u);\nrecordFrame = uvec4(0u);\nrecordBend = uvec4(0u);\ngl_PointSize = 1.0;\ngl_Position = vec4(2.0, 2.0, 2.0, 1.0);\nif (uint(gl_VertexID) >= group.z)\nreturn;\nPatch cell = fetchPatchArray(group.x);\nuint i = group.y + uint(gl_VertexID);\nuint index = cell.firstBlade + i;\nLeafAreaLimit limit = leafAreaLimitOf(FRAME.view, cell);\nBlade blade = raised(unpackBlade(fetchBladeArray(index), cell), limit.height);\nuint turn = fetchUintArray(index);\nPosedLook part = posedLook(blade, BladeState(turn == unsettledTurn ? 0u : turn, 0.0));\nuint number = part.number;\nVerdict verdict = cullBlade(FRAME.view, limit, part.posed, bladeRank(cell, i - min(number, i)));\nif (verdict.cullResult != cullResultDrawn)\nreturn;\nVisibleBlade visible =\nVisibleBlade(index, group.x, packFactors(verdict.widthFactor, limit.height), verdict.pixels);\nDrawnBlade drawn = drawnBlade(visible, part);\nfloat segments = drawn.ribbon.outline.segments;\nif (segments > maxSegments)\ndrawn.ribbon.outline = outlineOf(drawn.ribbon.outline.shape, drawn.ribbon.outline.tipThreshold, maxSegments);\nkeep(drawn, bladeSurface(drawn, visible, limit), index);\n}\n",
+  // web/shaders/ribbon.glsl
+  "#ifndef SWARD_WEB_RIBBON_GLSL\n#define SWARD_WEB_RIBBON_GLSL\n",
+  // shaders/blade/cross_section_point.glsl
+  "#ifndef SWARD_BLADE_CROSS_SECTION_POINT_GLSL\n#define SWARD_BLADE_CROSS_SECTION_POINT_GLSL\n",
+  // shaders/blade/cross_section_point.glsl
+  "vec3 onCrossSection(CrossSection section, float u)\n{\nreturn u < 0.5 ? mix(section.left, section.ridge, 2.0 * u) : mix(section.ridge, section.right, 2.0 * u - 1.0);\n}\n#endif\n",
+  // web/shaders/ribbon.glsl
+  "layout(location = 0) in uvec4 recordV0;\nlayout(location = 1) in uvec4 recordV1;\nlayout(location = 2) in uvec4 recordV2;\nlayout(location = 3) in uvec4 recordSurface;\nlayout(location = 4) in uvec4 recordFrame;\nlayout(location = 5) in uvec4 recordBend;\nuniform uint columns;\nRibbon recordedRibbon()\n{\nvec2 outline = unpackHalf2x16(recordV1.w);\nRibbon ribbon;\nribbon.v0 = uintBitsToFloat(recordV0.xyz);\nribbon.v1 = uintBitsToFloat(recordV1.xyz);\nribbon.v2 = uintBitsToFloat(recordV2.xyz);\nribbon.axis = decodeWideOctahedral(recordFrame.y);\nribbon.width = uintBitsToFloat(recordV0.w);\nribbon.fold = unpackHalf2x16(recordFrame.w).x;\nribbon.outline = Outline((recordV2.w >> 16u) & 255u, outline.x, float(recordV2.w >> 24u), outline.y);\nribbon.seed = recordV2.w & 0xffffu;\nreturn ribbon;\n}\nvec2 placeOfVertex(Ribbon ribbon)\n{\nuint column = uint(gl_VertexID) % columns;\nuint row = uint(gl_VertexID) / columns;\nfloat u = float(column) / float(columns - 1u);\nif (ribbon.fold <= 0.0 && column > 0u)\nu = 1.0;\nreturn vec2(u, min(float(row) / ribbon.outline.segments, 1.0));\n}\n#endif\n",
+  // web/shaders/blade.vert
+  "out vec3 outPosition;\nout vec4 outPlace;\nflat out uvec4 outSurface;\nflat out uvec4 outFrame;\nflat out uvec3 outBend;\nvoid main()\n{\nRibbon ribbon = recordedRibbon();\noutPosition = vec3(0.0);\noutPlace = vec4(0.0);\noutSurface = recordSurface;\noutFrame = recordFrame;\noutBend = uvec3(recordBend.xy, ribbon.seed | (recordBend.z << 16u));\nif (ribbon.width <= 0.0) {\ngl_Position = vec4(2.0, 2.0, 2.0, 1.0);\nreturn;\n}\nvec2 place = placeOfVertex(ribbon);\nCrossSection section = crossSectionAt(ribbon, place.y, FRAME.view.eye, FRAME.view.minWidth);\noutPosition = onCrossSection(section, place.x);\noutPlace = vec4(2.0 * place.x - 1.0, place.y, section.wide, section.drawn);\ngl_Position = inClip(FRAME.viewProjection * vec4(outPosition, 1.0));\n}\n",
+  // shaders/blade/blade_light.glsl
+  "#ifndef SWARD_BLADE_BLADE_LIGHT_GLSL\n#define SWARD_BLADE_BLADE_LIGHT_GLSL\n",
+  // shaders/blade/blade_light.glsl
+  "struct BladePoint {\nvec3 position;\nvec3 tangent;\nvec3 axis;\nvec3 up;\nfloat fold;\nvec2 place;\nvec4 rootColor;\nvec4 tipColor;\nvec3 look;\nfloat leafAbove;\nfloat leafBelow;\nuint seed;\nfloat flecks;\nfloat finish;\n};\nvec3 bladeNormal(BladePoint point, vec3 toEye, float distance)\n{\nvec3 flat_ = cross(point.tangent, point.axis);\nfloat size = length(flat_);\nvec3 n = size > 1e-3 ? flat_ / size : point.up;\nif (point.fold > 0.0)\nn += (point.fold * sign(point.place.x)) * point.axis;\nn *= dot(n, toEye) < 0.0 ? -1.0 : 1.0;\nfloat smallness = smoothstep(4.0, 60.0, distance * 1000.0 / FRAME.view.pixelsPerUnit);\nfloat roundness = finishIn(point.finish) == finishStalk ? 1.4 : 0.55;\nreturn normalize(n + (roundness * (1.0 - point.fold) * (1.0 - smallness) * point.place.x) * point.axis);\n}\nstruct Scattering {\nfloat facing;\nfloat diffuse;\nfloat through;\n};\nScattering scatteringOf(vec3 source, vec3 n)\n{\nScattering scattering;\nscattering.facing = dot(n, source);\nscattering.diffuse = max((scattering.facing + 0.15) / 1.3225, 0.0);\nscattering.through = max(-scattering.facing, 0.0);\nreturn scattering;\n}\nvec3 throughBlade(float translucency)\n{\nreturn throughShare * translucency * throughTint;\n}\nstruct Incoming {\nvec3 around;\nvec3 behind;\nvec3 above;\nvec3 mirrored;\nvec3 sun;\n};\nIncoming incomingFromSky(vec3 n, vec2 open)\n{\nvec3 sky = 1.25 * open.x * FRAME.skyColor;\nvec3 ground = open.y * FRAME.groundColor;\nfloat up = 0.5 + 0.5 * dot(n, FRAME.skyUp);\nreturn Incoming(mix(ground, sky, up), mix(sky, ground, up), 1.25 * FRAME.skyColor, FRAME.skyColor, FRAME.sunColor);\n}\n#ifdef HOST_LIGHT\n",
+  // shaders/blade/host_light.glsl
+  "#ifndef SWARD_BLADE_HOST_LIGHT_GLSL\n#define SWARD_BLADE_HOST_LIGHT_GLSL\nconst bool hasHostLight = false;\nlayout(set = HOST_LIGHT, binding = 0) uniform sampler2DArray hostShadow;\n#define HOST fetchHostLightArray(uint(0))\nfloat shareInCascade(uint cascade, vec2 at, vec2 size, float depth)\n{\nvec2 first = floor(at);\nvec2 f = at - first;\nfloat share = 0.0;\nfor (uint i = 0u; i < 4u; ++i) {\nvec2 corner = first + 2.0 * vec2(i & 1u, i >> 1u);\nvec4 depths = textureGather(hostShadow, vec3(corner / size, cascade));\nvec4 seen = vec4(greaterThanEqual((depths - depth) * HOST.nearer, vec4(0.0)));\nvec2 across = (i & 1u) == 0u ? vec2(1.0 - f.x, 1.0) : vec2(1.0, f.x);\nvec2 down = (i >> 1u) == 0u ? vec2(1.0 - f.y, 1.0) : vec2(1.0, f.y);\nshare += down.y * dot(across, seen.xy) + down.x * dot(across, seen.wz);\n}\nreturn share / 9.0;\n}\nfloat sunShare(vec3 position, vec3 up)\n{\nvec2 size = vec2(textureSize(hostShadow, 0).xy);\nfor (uint i = 0u; i < HOST.cascadeCount; ++i) {\nfloat texel = HOST.cascades[i].width / min(size.x, size.y);\nvec4 place = vec4(position + up * (HOST.lift * texel), 1.0);\nvec2 at = vec2(dot(HOST.cascades[i].across, place), dot(HOST.cascades[i].down, place)) * size - 0.5;\nfloat depth = dot(HOST.cascades[i].depth, place);\nif (all(greaterThanEqual(at, vec2(1.0))) && all(lessThan(at, size - 2.0)) && depth >= 0.0 && depth <= 1.0)\nreturn shareInCascade(i, at, size, depth);\n}\nreturn 1.0;\n}\nvec3 ambientTowards(vec3 n)\n{\nreturn vec3(ambientLight(HOST.ambient[0], n), ambientLight(HOST.ambient[1], n), ambientLight(HOST.ambient[2], n));\n}\nvec3 ambientAmong(vec3 n, vec2 open)\n{\nreturn open.x * ambientTowards(n) +\n(open.y - open.x) * (0.5 - 0.5 * dot(n, FRAME.skyUp)) * ambientTowards(-FRAME.skyUp);\n}\nIncoming incomingAt(vec3 position, vec3 up, vec3 n, vec2 open)\n{\nif (!hasHostLight)\nreturn incomingFromSky(n, open);\nvec3 sun = FRAME.sunColor * sunShare(position, up);\nif (HOST.hasAmbient == 0u) {\nIncoming incoming = incomingFromSky(n, open);\nincoming.sun = sun;\nreturn incoming;\n}\nreturn Incoming(ambientAmong(n, open), ambientAmong(-n, open), HOST.above, HOST.above / 1.25, sun);\n}\nvec3 lampLight(BladePoint point, vec3 n, vec3 toEye, vec3 albedo, float leafArea)\n{\nfloat openSky = point.look.x;\nvec3 through = throughBlade(point.look.y);\nfloat leavesBelow = 1.0 - skyBelow(point.leafBelow);\nvec3 sum = vec3(0.0);\nfor (uint i = 0u; i < HOST.lampCount; ++i) {\nLamp lamp = HOST.lamps[i];\nvec3 toLamp = lamp.position - point.position;\nvec3 color = lamp.color * lampShare(lamp, toLamp);\nif (color == vec3(0.0))\ncontinue;\nvec3 source = toLamp * inversesqrt(max(dot(toLamp, toLamp), 1e-12));\nfloat upright = dot(point.up, source);\nfloat seen = openSky * sunBelow(leafProjectionOf(FRAME.cover), leafArea, upright);\nScattering scattering = scatteringOf(source, n);\nsum += albedo * color * (seen * (scattering.diffuse + through * scattering.through));\nsum += albedo * (openSky * (1.0 + through)) *\nlightAmongLeaves(leafArea, leavesBelow, upright, color, vec3(0.0), albedo * (1.0 + through));\nif (point.look.z > 0.0)\nsum += (point.look.z * point.place.y * seen * coatShine(n, point.tangent, source, toEye)) * color;\n}\nreturn sum;\n}\n#endif\n",
+  // shaders/blade/blade_light.glsl
+  "#else\nIncoming incomingAt(vec3 position, vec3 up, vec3 n, vec2 open)\n{\nreturn incomingFromSky(n, open);\n}\n#endif\nconst float fleckEdge = 0.15;\nfloat fleckAt(uint key, float mean)\n{\nfloat chance = float(mixUint(key) >> 8u) * (1.0 / 16777216.0);\nreturn clamp((mean - chance) / (2.0 * fleckEdge) + 0.5, 0.0, 1.0);\n}\nfloat fleckOf(BladePoint point, float mean, float distance)\n{\nfloat pixels = FRAME.view.pixelsPerUnit * fleckLength() / distance;\nfloat seen = smoothstep(1.0, 4.0, pixels);\nif (seen <= 0.0)\nreturn mean;\nfloat at = point.place.y * point.flecks + float(point.seed & 255u) * (1.0 / 256.0);\nuint key = point.seed + uint(at) * 0x9e3779b9u;\nfloat fleck = mix(fleckAt(key, mean), fleckAt(key + 0x9e3779b9u, mean), smoothstep(0.25, 0.75, fract(at)));\nreturn mix(mean, fleck, seen);\n}\nvec3 bladePicture(BladePoint point)\n{\npoint.place = clamp(point.place, vec2(-1.0, 0.0), vec2(1.0));\nfloat along = point.place.y;\nfloat openSky = point.look.x;\nfloat translucency = point.look.y;\nfloat gloss = point.look.z;\nvec3 sun = FRAME.sunDirection;\nvec3 ray = FRAME.view.eye - point.position;\nfloat distance = length(ray);\nif (showsBands()) {\nuint band = distanceBand(distance, FRAME.view.drawDistance);\nuint channel = band - 3u * (debugMode() - debugNear);\nreturn vec3(channel == 0u, channel == 1u, channel == 2u);\n}\nvec3 toEye = ray / max(distance, 1e-6);\nvec3 n = bladeNormal(point, toEye, distance);\nuint finish = finishIn(point.finish);\nvec3 albedo = mix(point.rootColor.rgb, point.tipColor.rgb, tipShareAt(along));\nbool isPlain = debugMode() != debugNothing;\nif (!isPlain)\nalbedo *= toneAlong(finish, along, point.seed);\nfloat turned = dot(toEye, point.axis);\nfloat wide = pixelsIn(point.finish) * sqrt(max(1.0 - turned * turned, 0.0));\nif (!isPlain && wide > 4.0) {\nVeins veins = veinsAt(finish, point.place, wide, point.seed);\nalbedo *= veins.tone;\nn = normalize(n + veins.slope * point.axis);\n}\nfloat leafArea = point.leafAbove;\nfloat upright = dot(point.up, sun);\nfloat risen = mix(point.rootColor.w, point.tipColor.w, along);\nvec2 among = sunAmongBlades(FRAME.bladeShadow, point.position, point.seed);\nfloat passed = among.x;\nif (among.y < 1.0)\npassed = mix(fleckOf(point, sunBelow(leafProjectionOf(FRAME.cover), leafArea, upright), distance), passed, among.y);\nfloat sunlit = openSky * risen * passed;\nfloat openBelow = skyBelow(point.leafBelow);\nfloat openAbove = openSky * skyBelow(leafArea);\nIncoming incoming = incomingAt(point.position, point.up, n, vec2(openAbove, openSky * openBelow));\nvec3 through = throughBlade(translucency);\nvec3 light = incoming.around + through * incoming.behind +\nopenSky * (1.0 + through) * lightAmongLeaves(leafArea, 1.0 - openBelow, upright, risen * incoming.sun,\nincoming.above, albedo * (1.0 + through));\nScattering scattering = scatteringOf(sun, n);\nlight += incoming.sun * (sunlit * (scattering.diffuse + through * scattering.through));\nvec3 color = albedo * light;\nfloat coat = gloss * along;\nif (coat > 0.0) {\nfloat towards = dot(n, toEye);\nfloat mirrored = coat * coatAlbedo(towards);\nfloat upwards = 0.5 + towards * dot(n, FRAME.skyUp) - 0.5 * dot(toEye, FRAME.skyUp);\ncolor += mirrored * (openAbove * upwards * incoming.mirrored - color);\ncolor += (coat * sunlit * coatShine(n, point.tangent, sun, toEye)) * incoming.sun;\n}\n#ifdef HOST_LIGHT\nif (hasHostLight)\ncolor += lampLight(point, n, toEye, albedo, leafArea);\n#endif\nif (isPlain)\ncolor = albedo * (0.25 + 0.75 * along) * (0.6 + 0.4 * max(scattering.facing, 0.0));\nelse\ncolor = throughAir(color, -toEye, distance);\nreturn develop(color);\n}\n#endif\n",
+  // web/shaders/blade.frag
+  "in vec3 outPosition;\nin vec4 outPlace;\nflat in uvec4 outSurface;\nflat in uvec4 outFrame;\nflat in uvec3 outBend;\nuniform uint samples;\nuniform uint sampleOfPixel;\nlayout(location = 0) out vec4 outColor;\nvoid main()\n{\nuint seed = outBend.z & 0xffffu;\nuint kept = keptSamples(outPlace.z / max(outPlace.w, 1e-12), seed, samples);\nif (((kept >> sampleOfPixel) & 1u) == 0u)\ndiscard;\nvec2 middle = unpackHalf2x16(outSurface.y);\nvec4 bytes = unpackUnorm4x8(outSurface.w);\nvec2 shade = unpackHalf2x16(outFrame.x);\nvec2 bent = unpackHalf2x16(outFrame.w);\nfloat along = clamp(outPlace.y, 0.0, 1.0);\nBladePoint point;\npoint.position = outPosition;\npoint.place = outPlace.xy;\npoint.axis = decodeWideOctahedral(outFrame.y);\npoint.up = decodeWideOctahedral(outFrame.z);\npoint.fold = bent.x;\npoint.tangent = normalize(mix(point.up, bent.y * decodeWideOctahedral(outBend.x), along));\npoint.rootColor = vec4(unpackHalf2x16(outSurface.x), middle.x, bytes.w);\npoint.tipColor = vec4(middle.y, unpackHalf2x16(outSurface.z), shade.y);\npoint.look = bytes.xyz;\npoint.leafAbove = leafAreaAbove(vec4(0.0, shade.x, float(outBend.y & 0xffffffu), 0.0), along);\npoint.leafBelow = max(shade.x - point.leafAbove, 0.0);\npoint.seed = seed;\npoint.finish = float(outBend.z >> 16u);\npoint.flecks = float(outBend.y >> 24u);\noutColor = vec4(bladePicture(point), 1.0 - softness(length(FRAME.view.eye - outPosition), 1.0));\n}\n",
+  // shaders/shared/ground.h
+  "#ifndef SWARD_SHARED_GROUND_H\n#define SWARD_SHARED_GROUND_H\n",
+  // shaders/shared/ground.h
+  "const uint noImage = 0xffffffffu;\nconst uint groundDoubleSided = 1u;\nstruct GroundVertex {\nvec3 position;\nuint normal;\nvec2 uv;\nuint color;\n};\nstruct GroundMaterial {\nvec4 baseColor;\nfloat roughness;\nfloat metallic;\nuint image;\nuint flags;\n};\nconst uint clusterTriangles = 256u;\nstruct GroundCluster {\nvec3 low;\nuint material;\nvec3 high;\nuint indexCount;\n};\nstruct IndexedDraw {\nuint indexCount;\nuint instanceCount;\nuint firstIndex;\nuint vertexOffset;\nuint firstInstance;\n};\nstruct GroundClusterArray { uint none; };\nGroundCluster fetchGroundClusterArray(uint i);\nstruct IndexedDrawArray { uint none; };\nIndexedDraw fetchIndexedDrawArray(uint i);\nstruct GroundVertexArray { uint none; };\nGroundVertex fetchGroundVertexArray(uint i);\nstruct GroundMaterialArray { uint none; };\nGroundMaterial fetchGroundMaterialArray(uint i);\nvec3 decodeNormal32(uint bits)\n{\nfloat x = float((int(bits & 65535u) ^ 32768) - 32768) / 32767.0f;\nfloat y = float((int(bits >> 16u) ^ 32768) - 32768) / 32767.0f;\nfloat z = 1.0f - abs(x) - abs(y);\nfloat fold = max(-z, 0.0f);\nreturn normalize(vec3(x + (x >= 0.0f ? -fold : fold), y + (y >= 0.0f ? -fold : fold), z));\n}\nuint encodeNormal32(vec3 v)\n{\nfloat scale = 1.0f / (abs(v.x) + abs(v.y) + abs(v.z));\nfloat x = v.x * scale;\nfloat y = v.y * scale;\nif (v.z < 0.0f) {\nfloat folded = (1.0f - abs(y)) * (x >= 0.0f ? 1.0f : -1.0f);\ny = (1.0f - abs(x)) * (y >= 0.0f ? 1.0f : -1.0f);\nx = folded;\n}\nuint xi = uint(int(floor(clamp(x, -1.0f, 1.0f) * 32767.0f + 0.5f))) & 65535u;\nuint yi = uint(int(floor(clamp(y, -1.0f, 1.0f) * 32767.0f + 0.5f))) & 65535u;\nreturn xi | (yi << 16u);\n}\n#endif\n",
+  // web/shaders/ground.vert
+  "layout(location = 0) in vec3 position;\nlayout(location = 1) in uint normal;\nlayout(location = 2) in vec2 uv;\nlayout(location = 3) in vec4 color;\nout vec3 outPosition;\nout vec3 outNormal;\nout vec2 outUv;\nout vec4 outVertexColor;\nvoid main()\n{\noutPosition = position;\noutNormal = decodeNormal32(normal);\noutUv = uv;\noutVertexColor = color;\ngl_Position = inClip(FRAME.viewProjection * vec4(position, 1.0));\n}\n",
+  // web/shaders/ground.frag
+  "#define AFTER_BLADES\n",
+  // shaders/preview/ground_light.glsl
+  "#ifndef SWARD_PREVIEW_GROUND_LIGHT_GLSL\n#define SWARD_PREVIEW_GROUND_LIGHT_GLSL\n",
+  // shaders/shared/look/ground_detail.h
+  "#ifndef SWARD_SHARED_LOOK_GROUND_DETAIL_H\n#define SWARD_SHARED_LOOK_GROUND_DETAIL_H\n",
+  // shaders/shared/look/ground_detail.h
+  "struct GroundDetail {\nvec3 albedo;\nfloat brightness;\nvec3 slope;\n};\nfloat shownAt(float size, float pixel)\n{\nreturn clamp(0.35f * size / pixel - 1.0f, 0.0f, 1.0f);\n}\nconst uint crumbSizes = 5u;\nconst float nextCrumb = 0.4f;\nconst float meanCrumb = 0.3027f;\nconst float noiseDeviation = 0.185f;\nmat3 slantedLattice()\n{\nreturn mat3(0.36f, 0.48f, -0.8f, -0.8f, 0.6f, 0.0f, 0.48f, 0.64f, 0.6f);\n}\nvoid addCrumbs(inout GroundDetail detail, vec3 position, float size, float pixel,\nfloat roughness)\n{\nmat3 turn = slantedLattice();\nfloat amount = 0.2f * roughness;\nfor (uint i = 0u; i < crumbSizes; ++i) {\nfloat shown = shownAt(size, pixel);\nif (shown <= 0.0f)\nbreak;\nbool other = (i & 1u) != 0u;\nvec3 place = position / size + 0.4f * detail.slope + 17.0f * float(i);\nvec4 noise = valueNoiseSlope(other ? place * turn : turn * place);\nvec3 rise = other ? turn * vec3(noise) : vec3(noise) * turn;\nfloat height = 2.0f * noise.w - 1.0f;\ndetail.brightness += amount * shown * (abs(height) - meanCrumb);\ndetail.slope += (amount * shown * (height < 0.0f ? -1.0f : 1.0f)) * rise;\nsize *= nextCrumb;\namount = min(1.4f * amount, 0.38f * roughness);\n}\n}\nfloat byteOf(uint hash, uint i)\n{\nreturn float((hash >> (8u * i)) & 255u) * (1.0f / 256.0f);\n}\nconst float stoneChance = 0.4f;\nconst float smallestStone = 0.08f;\nconst float largestStone = 0.33f;\nfloat stoneShare()\n{\nfloat low = smallestStone * smallestStone;\nfloat high = largestStone * largestStone;\nfloat meanCube = (high * high - low * low) / (4.0f * (largestStone - smallestStone));\nreturn stoneChance * 4.18879f * meanCube;\n}\nvoid layStones(inout GroundDetail detail, inout vec3 mean, vec3 rock,\nvec3 position, float edge, float pixel, float amount)\n{\nfloat shown = amount * shownAt(0.4f * edge, pixel);\nif (shown <= 0.0f)\nreturn;\nmean = mix(mean, rock, shown * stoneShare());\nmat3 turn = slantedLattice();\nvec3 place = turn * (position / edge + 0.1f * detail.slope);\nvec3 cell = floor(place);\nuint hash = mixUint(latticePoint(int(cell.x), int(cell.y), int(cell.z)) + 0x51ed270bu);\nif (float(hash >> 8u) * (1.0f / 16777216.0f) >= stoneChance)\nreturn;\nuint more = mixUint(hash + 0x9e3779b9u);\nfloat first = 0.82f + 0.4f * byteOf(hash, 0u);\nfloat second = 0.82f + 0.4f * byteOf(more, 0u);\nvec3 radii = mix(smallestStone, largestStone, byteOf(mixUint(more), 0u)) *\nvec3(first, 1.0f / (first * second), second);\nvec3 middle =\nvec3(0.5f) + (vec3(1.0f) - 2.0f * radii) *\n(vec3(byteOf(more, 1u), byteOf(more, 2u), byteOf(more, 3u)) - vec3(0.5f));\nvec3 out_ = (place - cell - middle) / radii;\nfloat soft = max(pixel / (edge * radii.x), 0.08f);\nfloat seen = shown * clamp((1.0f - length(out_)) / soft + 0.5f, 0.0f, 1.0f);\ndetail.albedo = mix(detail.albedo, (0.5f + byteOf(mixUint(more), 1u)) * rock, seen);\ndetail.slope = mix(detail.slope, 0.4f * detail.slope - 0.8f * (out_ * turn), seen);\ndetail.brightness = mix(detail.brightness, 1.0f, seen);\n}\nconst float strawChance = 0.4f;\nconst float strawLength = 0.27f;\nconst float strawWidth = 0.013f;\nconst uint strawLayers = 3u;\nconst vec3 strawColor = vec3(0.21f, 0.165f, 0.095f);\nfloat lineSeen(float distance, float half_, float pixel)\n{\nreturn clamp((distance + half_) / pixel + 0.5f, 0.0f, 1.0f) -\nclamp((distance - half_) / pixel + 0.5f, 0.0f, 1.0f);\n}\nvoid layStraws(inout GroundDetail detail, inout vec3 mean, vec3 straw,\nvec2 place, float edge, float pixel, float amount)\n{\nfloat shown = amount * shownAt(edge, pixel);\nif (shown <= 0.0f)\nreturn;\nfloat width = max(pixel / edge, 0.3f * strawWidth);\nfor (uint layer = 0u; layer < strawLayers; ++layer) {\nmean = mix(mean, straw, shown * strawChance * 4.0f * strawLength * strawWidth);\nplace = vec2(0.8f * place.x - 0.6f * place.y, 0.6f * place.x + 0.8f * place.y) +\nvec2(0.37f, 0.71f);\nvec2 cell = floor(place);\nvec2 drift = floor(0.25f * place);\nuint many = mixUint(latticePoint(int(drift.x), int(drift.y), int(layer) + 7));\nuint hash = mixUint(latticePoint(int(cell.x), int(cell.y), int(layer)));\nif (float(hash >> 8u) * (1.0f / 16777216.0f) >= 2.0f * strawChance * byteOf(many, 1u))\ncontinue;\nuint more = mixUint(hash + 0x9e3779b9u);\nfloat angle = 6.2831853f * byteOf(more, 0u);\nvec2 along = vec2(cos(angle), sin(angle));\nvec2 from = place - cell - vec2(0.5f);\nfloat t = dot(from, along);\nfloat beside = along.x * from.y - along.y * from.x +\n(1.6f * byteOf(more, 1u) - 0.8f) * (t * t - 0.04f);\nfloat length_ = strawLength * (0.4f + 1.2f * byteOf(more, 2u));\nfloat seen =\nshown * lineSeen(beside, strawWidth, width) * lineSeen(t, length_, width);\ndetail.albedo = mix(detail.albedo, (0.35f + 1.3f * byteOf(more, 3u)) * straw, seen);\n}\n}\nconst float damp = 7.0f;\nfloat turfIn(vec3 albedo)\n{\nreturn smoothstep(1.15f, 1.6f, albedo.y / max(max(albedo.x, albedo.z), 1e-4f));\n}\nGroundDetail groundDetail(vec3 position, vec3 normal, vec3 up, vec3 albedo, float size,\nfloat pixel)\n{\nGroundDetail detail;\ndetail.albedo = albedo;\ndetail.brightness = 1.0f;\ndetail.slope = vec3(0.0f);\nif (shownAt(damp * size, pixel) <= 0.0f)\nreturn detail;\nfloat light = dot(albedo, vec3(0.2126f, 0.7152f, 0.0722f));\nfloat soil = 1.0f - 0.75f * smoothstep(0.15f, 0.4f, light);\nfloat wide = damp * size;\ndetail.brightness += 0.5f * soil * shownAt(wide, pixel) * (valueNoise(position / wide) - 0.5f);\naddCrumbs(detail, position, size, pixel, soil);\nfloat lies = soil * (1.0f - turfIn(albedo)) * smoothstep(0.64f, 0.85f, dot(normal, up));\nvec3 mean = albedo;\nfloat dark = min(16.0f * light, 1.0f);\nvec3 rock = mix(albedo, dark * vec3(0.14f, 0.13f, 0.115f), 0.5f);\nlayStones(detail, mean, rock, position, 0.16f * size, pixel, lies);\nlayStones(detail, mean, rock, position, 0.55f * size, pixel, lies);\nvec3 steep = abs(normal);\nvec2 place = steep.y >= max(steep.x, steep.z) ? vec2(position.x, position.z)\n: steep.x >= steep.z             ? vec2(position.y, position.z)\n: vec2(position.x, position.y);\nlayStraws(detail, mean, dark * strawColor, place / (0.5f * size), 0.5f * size, pixel, lies);\ndetail.albedo = max(detail.albedo + albedo - mean, vec3(0.0f));\nreturn detail;\n}\nfloat raggedShare(float mean, vec3 position, float cell, float size, float pixel)\n{\nfloat amount = 0.75f * (1.0f - smoothstep(0.7f, 0.9f, mean));\nif (mean <= 0.0f || amount <= 0.0f)\nreturn mean;\nfloat step = max(0.5f * cell, size);\nfloat whole = shownAt(step, pixel);\nfloat weight = whole;\nfloat sum = 0.0f;\nfloat squares = 0.0f;\nfor (uint i = 0u; i < 4u && weight > 0.0f; ++i) {\nsum += weight * (valueNoise(position / step + 31.0f * float(i)) - 0.5f);\nsquares += weight * weight;\nstep = i == 0u ? 0.6f * size : 0.38f * step;\nweight = shownAt(step, pixel);\n}\nif (squares <= 0.0f)\nreturn mean;\nfloat order = 1.0f / (1.0f + exp(-1.6f * sum / (noiseDeviation * sqrt(squares))));\nfloat half_ = min(0.06f, 0.5f * min(mean, 1.0f - mean));\nfloat covered = clamp(0.5f * (mean - order) / max(half_, 1e-6f) + 0.5f, 0.0f, 1.0f);\nreturn mix(mean, covered, amount * whole);\n}\n#endif\n",
+  // shaders/preview/ground_light.glsl
+  "struct GroundPoint {\nvec3 position;\nvec3 normal;\nvec3 albedo;\nbool isDoubleSided;\n};\nstruct Relief {\nfloat brightness;\nvec3 slope;\n};\nvoid addNoise(inout Relief relief, vec3 position, vec3 stretch, float size, float amount)\n{\nvec4 noise = valueNoiseSlope(position * stretch / size);\nrelief.brightness += amount * (noise.w - 0.5);\nrelief.slope += (0.5 * amount) * (noise.xyz * stretch);\n}\nRelief crumbs(vec3 position, float size, float pixel)\n{\nRelief relief = Relief(1.0, vec3(0.0));\nfor (uint octave = 0u; octave < 4u; ++octave) {\nfloat shown = shownAt(size, pixel);\nif (shown <= 0.0)\nbreak;\naddNoise(relief, position + 17.0 * float(octave) * size, vec3(1.0), size, 0.4 * shown);\nsize *= 0.37;\n}\nreturn relief;\n}\nRelief strands(vec3 position, float size, float pixel)\n{\nRelief relief = Relief(1.0, vec3(0.0));\nfloat thin = 0.12 * size;\nfloat shown = shownAt(thin, pixel);\nif (shown > 0.0) {\nmat3 turned = mat3(0.36, 0.48, -0.8, -0.8, 0.6, 0.0, 0.48, 0.64, 0.6);\nRelief turnedRelief = Relief(1.0, vec3(0.0));\naddNoise(relief, position, vec3(0.15, 1.0, 1.0), thin, 0.45 * shown);\naddNoise(relief, position, vec3(1.0, 1.0, 0.15), thin, 0.45 * shown);\naddNoise(turnedRelief, turned * position, vec3(0.15, 1.0, 1.0), thin, 0.45 * shown);\nrelief.brightness += turnedRelief.brightness - 1.0;\nrelief.slope += turnedRelief.slope * turned;\n}\nreturn relief;\n}\nconst float bareStructure = 0.32;\nconst float hiddenBelow = 0.93;\nconst float placeStep = 2.5e-7;\nconst float darkestCrumb = 0.85;\nvec4 groundPicture(GroundPoint point)\n{\nvec3 ray = FRAME.view.eye - point.position;\nfloat distance = length(ray);\nvec3 toEye = ray / max(distance, 1e-6);\nvec3 n = normalize(point.normal);\nif (point.isDoubleSided && dot(n, toEye) < 0.0)\nn = -n;\nfloat farthest = FRAME.cover.farthest;\nfloat grown = 1.0 - smoothstep(0.8 * farthest, farthest, distance);\nvec3 grass = grassAt(FRAME.cover, point.position);\nfloat blades = grass.x * grown;\nfloat leafArea = FRAME.cover.thinned * blades;\nvec3 far = abs(point.position);\nfloat pixel = max(distance / FRAME.view.pixelsPerUnit, placeStep * max(far.x, max(far.y, far.z)));\nfloat size = FRAME.cover.structure > 0.0 ? FRAME.cover.structure : bareStructure;\nfloat closed = undergrowthBelow(leafArea);\nfloat ragged = mix(raggedShare(closed, point.position, 1.0 / max(FRAME.cover.cellsPerMetre, 1e-6), size, pixel),\nclosed, turfIn(point.albedo));\nfloat under = FRAME.cover.thatch * ragged;\nvec3 albedo = point.albedo;\nvec3 shade = vec3(1.0);\nfloat brightness = 1.0 - under;\nvec3 rough = vec3(0.0);\nvec3 crumbled = vec3(0.0);\nif (under < hiddenBelow) {\nGroundDetail detail = groundDetail(point.position, n, FRAME.skyUp, albedo, size, pixel);\nalbedo = detail.albedo;\nbrightness *= detail.brightness;\ncrumbled = (1.0 - under) * (detail.slope - n * dot(n, detail.slope));\n}\nif (under > 0.0) {\nRelief relief = crumbs(point.position, size, pixel);\nRelief litter = strands(point.position, size, pixel);\nbrightness += under * max(relief.brightness * litter.brightness, 0.2);\nrough = under * (relief.slope + litter.slope);\nshade = meadowShade(point.position, toneOf(grass));\nalbedo = mix(albedo, shade * FRAME.cover.undergrowth, under);\n}\nn = normalize(n - (rough - n * dot(n, rough)));\nfloat even = max(dot(n, FRAME.sunDirection), 0.0);\nfloat turned = dot(crumbled, FRAME.sunDirection) / max(even, 0.3);\nfloat facing = even * (1.0 - clamp(turned, -darkestCrumb, darkestCrumb));\nfloat seen = even > 0.0 ? sunSeen(FRAME.shadow, point.position, n) : 0.0;\nfloat below = sunBelow(leafProjectionOf(FRAME.cover), leafArea, even);\n#ifdef AFTER_BLADES\nvec2 among = sunAmongBlades(FRAME.bladeShadow, point.position, noBladeSeed);\nbelow = mix(below, among.x, among.y);\n#endif\nvec3 light = hemisphere(normalize(n - crumbled)) * skyBelow(leafArea) +\nlightAmongLeaves(leafArea, 0.0, even, seen * FRAME.sunColor, 1.25 * FRAME.skyColor,\n1.5 * FRAME.cover.sward) +\nFRAME.sunColor * (facing * seen * below);\nvec3 color = brightness * albedo * light;\nfloat sward = closed > 0.0 ? swardShare(FRAME.cover, leafArea, FRAME.cover.thinned * leavesPerDrawn(FRAME.view, distance)) * (ragged / closed) : 0.0;\nif (sward > 0.0) {\nvec3 open = hemisphere(n) + FRAME.sunColor * (even * seen);\ncolor = mix(color, brightness * swardBrightness(max(dot(n, toEye), 0.0)) * shade * FRAME.cover.sward * open, sward);\n}\nif (debugMode() != debugNothing)\ncolor = showsBands() ? vec3(0.0) : vec3(0.35) * (0.5 + 0.5 * even);\nelse\ncolor = throughAir(color, -toEye, distance);\nif (paintsWind)\ncolor = colorOfWind(point.position, n);\nreturn vec4(develop(color), 1.0 - softness(distance, min(blades, 1.0)));\n}\n#endif\n",
+  // shaders/preview/image_probes.glsl
+  "#ifndef SWARD_PREVIEW_IMAGE_PROBES_GLSL\n#define SWARD_PREVIEW_IMAGE_PROBES_GLSL\nconst float maxProbes = 8.0;\nstruct ImageProbes {\nvec2 first;\nvec2 step;\nuint count;\nfloat lod;\n};\nImageProbes imageProbes(vec2 uv, vec2 right, vec2 down, vec2 size)\n{\nfloat across = length(right * size);\nfloat along = length(down * size);\nfloat longest = max(across, along);\nfloat ratio = longest > 1.0 ? longest / max(min(across, along), 1e-6) : 1.0;\nfloat count = clamp(ceil(ratio), 1.0, maxProbes);\nImageProbes probes;\nprobes.step = (across > along ? right : down) / (count + 1.0);\nprobes.first = uv - 0.5 * (count - 1.0) * probes.step;\nprobes.count = uint(count);\nprobes.lod = log2(max(longest / count, 1e-6));\nreturn probes;\n}\n#endif\n",
+  // web/shaders/ground.frag
+  "uniform sampler2D baseColor;\nuniform vec3 materialColor;\nuniform bool isDoubleSided;\nin vec3 outPosition;\nin vec3 outNormal;\nin vec2 outUv;\nin vec4 outVertexColor;\nlayout(location = 0) out vec4 outColor;\nvoid main()\n{\nImageProbes probes = imageProbes(outUv, dFdx(outUv), dFdy(outUv), vec2(textureSize(baseColor, 0)));\nvec3 texel = vec3(0.0);\nfor (uint i = 0u; i < probes.count; ++i)\ntexel += textureLod(baseColor, probes.first + float(i) * probes.step, probes.lod).rgb;\nGroundPoint point;\npoint.position = outPosition;\npoint.normal = outNormal;\npoint.albedo = materialColor * (texel / float(probes.count)) * outVertexColor.rgb;\npoint.isDoubleSided = isDoubleSided;\noutColor = groundPicture(point);\n}\n",
+  // shaders/common/view_ray.glsl
+  "#ifndef SWARD_COMMON_VIEW_RAY_GLSL\n#define SWARD_COMMON_VIEW_RAY_GLSL\n",
+  // shaders/common/view_ray.glsl
+  "#ifndef FRAME\n#define FRAME push.frame.at[0]\n#endif\nvec3 rayThrough(vec2 place)\n{\nreturn place.x * FRAME.rays[0] + (place.y * FRAME.rays[1] + FRAME.rays[2]);\n}\n#endif\n",
+  // web/shaders/sky.vert
+  "out vec3 outRay;\nvoid main()\n{\nvec2 place = vec2(gl_VertexID == 1 ? 3.0 : -1.0, gl_VertexID == 2 ? 3.0 : -1.0);\noutRay = rayThrough(vec2(place.x, -place.y));\ngl_Position = vec4(place, 1.0, 1.0);\n}\n",
+  // shaders/common/sky_light.glsl
+  "#ifndef SWARD_COMMON_SKY_LIGHT_GLSL\n#define SWARD_COMMON_SKY_LIGHT_GLSL\n",
+  // shaders/common/sky_light.glsl
+  "float cloudAt(vec3 place)\n{\nfloat least = mix(0.72, 0.34, FRAME.clouds);\nfloat finest = 1.0 / 32.0;\nfloat sum = 0.0;\nfloat weight = 0.5;\nfor (uint octave = 0u; octave < 5u; ++octave) {\nsum += weight * valueNoise(place);\nif (sum + weight - finest <= least)\nreturn 0.0;\nplace = 2.13 * place.yzx + vec3(3.7, 11.1, 5.3);\nweight *= 0.5;\n}\nreturn smoothstep(0.0, 0.26, sum - least);\n}\nvec3 withClouds(vec3 color, vec3 ray)\n{\nfloat height = dot(ray, FRAME.skyUp);\nif (FRAME.clouds <= 0.0 || height <= 0.0)\nreturn color;\nvec3 place = ray * (1.9 / (height + 0.16));\nfloat thickness = cloudAt(place);\nif (thickness <= 0.0)\nreturn color;\nvec3 sunwards = FRAME.sunDirection - FRAME.skyUp * dot(FRAME.sunDirection, FRAME.skyUp);\nfloat shade = cloudAt(place + 0.35 * sunwards);\nfloat toSun = max(dot(ray, FRAME.sunDirection), 0.0);\nvec3 lit = FRAME.sunColor * (0.30 * exp(-1.4 * shade) * (1.0 + 0.9 * pow(toSun, 6.0))) +\n0.55 * FRAME.skyColor;\nfloat shown = thickness * 0.85 * smoothstep(0.0, 0.22, height);\nreturn mix(color, lit, shown);\n}\nconst vec3 floorAlbedo = vec3(0.160, 0.152, 0.130);\nconst float floorBounce = 0.12;\nfloat sunOnFloor(vec3 place)\n{\nif (FRAME.shadow.size == 0u)\nreturn 1.0;\nfloat depth = dot(FRAME.shadow.depth, vec4(place, 1.0));\nfloat perMetre = dot(FRAME.shadow.depth.xyz, FRAME.sunDirection);\nreturn sunSeen(FRAME.shadow, place + FRAME.sunDirection * (max(0.002 - depth, 0.0) / perMetre), FRAME.skyUp);\n}\nvec3 belowHorizon(vec3 color, vec3 ray)\n{\nfloat climb = dot(ray, FRAME.skyUp);\nif (climb >= 0.0)\nreturn color;\nFloorPlane plane = FRAME.floorPlane;\nif (plane.reach <= 0.0)\nreturn color * (1.0 - 0.35 * smoothstep(0.0, 1.0, -climb));\nfloat distance = dot(plane.middle - FRAME.view.eye, FRAME.skyUp) / climb;\nif (distance <= 0.0)\nreturn color;\nvec3 place = FRAME.view.eye + distance * ray;\nfloat away = distanceFromFootprint(plane, place, cross(FRAME.skyUp, plane.along));\nfloat shown = exp(-away / plane.reach);\nif (shown < 0.002)\nreturn color;\nfloat facing = max(dot(FRAME.sunDirection, FRAME.skyUp), 0.0);\nfloat lit = facing > 0.0 ? sunOnFloor(place) : 0.0;\nfloat open = skyBesideWall(plane.height, away);\nvec3 light = hemisphere(FRAME.skyUp) * open + FRAME.sunColor * (facing * mix(floorBounce * open, 1.0, lit));\nreturn mix(color, throughAir(floorAlbedo * light, ray, distance), shown);\n}\nvec3 skyPicture(vec3 ray, vec2 place)\n{\nif (debugMode() != debugNothing)\nreturn showsBands() ? vec3(0.0) : dithered(develop(vec3(0.6)), place);\nvec3 color = belowHorizon(withClouds(skyRadiance(ray), ray), ray);\nfloat toSun = dot(ray, FRAME.sunDirection);\ncolor += FRAME.sunColor * 6.0 * smoothstep(0.99985, 0.99997, toSun);\nreturn dithered(develop(color), place);\n}\n#endif\n",
+  // web/shaders/sky.frag
+  "in vec3 outRay;\nlayout(location = 0) out vec4 outColor;\nvoid main()\n{\noutColor = vec4(skyPicture(normalize(outRay), gl_FragCoord.xy), 1.0);\n}\n",
+  // web/shaders/film.vert
+  "void main()\n{\ngl_Position = vec4(gl_VertexID == 1 ? 3.0 : -1.0, gl_VertexID == 2 ? 3.0 : -1.0, 0.0, 1.0);\n}\n",
+  // web/shaders/film.frag
+  "uniform sampler2D resolved;\nuniform sampler2D resolved1;\nuniform sampler2D resolved2;\nuniform sampler2D resolved3;\nuniform bool hasSamples;\nlayout(location = 0) out vec4 outColor;\nvec4 pixelAt(ivec2 pixel)\n{\npixel = clamp(pixel, ivec2(0), textureSize(resolved, 0) - 1);\nvec4 first = texelFetch(resolved, pixel, 0);\nif (!hasSamples)\nreturn first;\nreturn 0.25 * (first + texelFetch(resolved1, pixel, 0) + texelFetch(resolved2, pixel, 0) +\ntexelFetch(resolved3, pixel, 0));\n}\n",
+  // shaders/resolve/reconstruction_filter.glsl
+  "#ifndef SWARD_RESOLVE_RECONSTRUCTION_FILTER_GLSL\n#define SWARD_RESOLVE_RECONSTRUCTION_FILTER_GLSL\nconst float softSide = 1.0 / 6.0;\nfloat splineAt(int offset)\n{\nreturn offset == 0 ? 1.0 - 2.0 * softSide : softSide;\n}\nvec3 reconstructed(ivec2 pixel)\n{\nvec4 here = pixelAt(pixel);\nfloat soft = 1.0 - here.a;\nvec3 sum = here.rgb;\nif (soft <= 0.0)\nreturn sum;\nfor (int y = -1; y <= 1; ++y)\nfor (int x = -1; x <= 1; ++x) {\nvec4 there = pixelAt(pixel + ivec2(x, y));\nsum += splineAt(x) * splineAt(y) * min(soft, 1.0 - there.a) * (there.rgb - here.rgb);\n}\nreturn sum;\n}\n#endif\n",
+  // web/shaders/film.frag
+  "void main()\n{\nvec3 color = clamp(reconstructed(ivec2(gl_FragCoord.xy)), 0.0, 1.0);\ncolor = mix(12.92 * color, 1.055 * pow(color, vec3(1.0 / 2.4)) - 0.055, greaterThan(color, vec3(0.0031308)));\noutColor = vec4(color, 1.0);\n}\n",
+  // web/shaders/sun.vert
+  "layout(location = 0) in vec3 position;\nvoid main()\n{\nvec4 place = vec4(position, 1.0);\nvec2 pixel = vec2(dot(FRAME.shadow.across, place), dot(FRAME.shadow.down, place));\ngl_Position = inClip(vec4(pixel * (2.0 / float(FRAME.shadow.size)) - 1.0, dot(FRAME.shadow.depth, place), 1.0));\n}\n",
+  // web/shaders/blade_shadow.vert
+  "flat out uint outSeed;\nout float outDepth;\nvoid main()\n{\nRibbon ribbon = recordedRibbon();\noutSeed = ribbon.seed;\noutDepth = 0.0;\ngl_Position = vec4(2.0, 2.0, 2.0, 1.0);\nif (ribbon.width <= 0.0)\nreturn;\nvec2 place = placeOfVertex(ribbon);\nCrossSection section = crossSectionAt(ribbon, place.y, FRAME.view.eye, 0.0);\nvec4 point = vec4(onCrossSection(section, place.x), 1.0);\nBladeShadow map = FRAME.bladeShadow;\nvec2 texel = vec2(dot(map.across, point), dot(map.down, point));\noutDepth = dot(map.depth, point);\ngl_Position = inClip(vec4(texel * (2.0 / float(map.size)) - 1.0, outDepth, 1.0));\n}\n",
+  // web/shaders/blade_shadow.frag
+  "flat in uint outSeed;\nin float outDepth;\nlayout(location = 0) out uvec2 texel;\nvoid main()\n{\ntexel = uvec2(outSeed, floatBitsToUint(outDepth));\n}\n",
+  // web/shaders/nothing.frag
+  "void main()\n{\n}\n"
+];
+var head = "#version 300 es\nprecision highp float;\nprecision highp int;\nprecision highp sampler2D;\nprecision highp usampler2D;\n";
+var stage = (...numbers) => head + numbers.map((i) => pieces[i]).join("");
+var moveVert = stage(0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15, 16, 17, 18, 19, 20, 21, 22, 23, 24, 25, 26, 27, 28, 29, 30, 31, 32, 33, 34, 35, 36, 37, 38, 39, 40, 41, 42, 43, 44, 45, 46, 47, 48, 49, 50, 51, 52);
+var moveFrag = stage(53);
+var poseVert = stage(0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15, 16, 17, 18, 19, 20, 21, 22, 23, 24, 25, 26, 27, 28, 29, 30, 31, 32, 33, 34, 35, 36, 37, 38, 39, 40, 41, 42, 43, 48, 49, 50, 51, 54, 55, 56, 57, 58, 59, 60, 61, 62, 63, 64, 65, 66, 67, 45, 46, 68, 69, 70, 71, 72, 73, 74, 75, 76, 77, 78, 79, 80);
+var bladeVert = stage(81, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15, 16, 17, 18, 19, 20, 21, 22, 23, 24, 25, 26, 27, 28, 29, 30, 31, 32, 33, 34, 35, 36, 37, 38, 39, 40, 41, 42, 49, 50, 82, 83, 84, 85);
+var bladeFrag = stage(1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15, 16, 17, 18, 19, 20, 21, 22, 23, 24, 25, 26, 27, 28, 29, 30, 31, 32, 33, 34, 35, 36, 37, 38, 39, 40, 41, 42, 86, 55, 56, 57, 58, 59, 60, 61, 62, 63, 64, 65, 66, 67, 45, 46, 68, 69, 77, 78, 87, 88, 89, 49, 50, 90);
+var groundVert = stage(1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15, 16, 17, 18, 19, 20, 21, 22, 23, 24, 25, 26, 27, 28, 29, 30, 31, 32, 33, 34, 35, 36, 37, 38, 39, 40, 41, 42, 91, 92, 93);
+var groundFrag = stage(1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15, 16, 17, 18, 19, 20, 21, 22, 23, 24, 25, 26, 27, 28, 29, 30, 31, 32, 33, 34, 35, 36, 37, 38, 39, 40, 41, 42, 94, 95, 56, 57, 58, 59, 60, 61, 62, 63, 64, 65, 66, 67, 45, 46, 68, 91, 92, 96, 97, 48, 49, 50, 51, 98, 99, 100);
+var skyVert = stage(1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15, 16, 17, 18, 19, 20, 21, 22, 23, 24, 25, 26, 27, 28, 29, 30, 31, 32, 33, 34, 35, 36, 37, 38, 39, 40, 41, 42, 101, 102, 103);
+var skyFrag = stage(1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15, 16, 17, 18, 19, 20, 21, 22, 23, 24, 25, 26, 27, 28, 29, 30, 31, 32, 33, 34, 35, 36, 37, 38, 39, 40, 41, 42, 104, 56, 57, 58, 59, 60, 61, 62, 63, 64, 65, 66, 67, 45, 46, 68, 105, 106);
+var filmVert = stage(107);
+var filmFrag = stage(108, 109, 110);
+var sunVert = stage(1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15, 16, 17, 18, 19, 20, 21, 22, 23, 24, 25, 26, 27, 28, 29, 30, 31, 32, 33, 34, 35, 36, 37, 38, 39, 40, 41, 42, 111);
+var bladeShadowVert = stage(81, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15, 16, 17, 18, 19, 20, 21, 22, 23, 24, 25, 26, 27, 28, 29, 30, 31, 32, 33, 34, 35, 36, 37, 38, 39, 40, 41, 42, 49, 50, 82, 83, 84, 112);
+var bladeShadowFrag = stage(113);
+var nothingFrag = stage(114);
+
+// src/render/vector.ts
+var add = (a, b) => [a[0] + b[0], a[1] + b[1], a[2] + b[2]];
+var sub = (a, b) => [a[0] - b[0], a[1] - b[1], a[2] - b[2]];
+var scaled = (a, s) => [a[0] * s, a[1] * s, a[2] * s];
+var dot = (a, b) => a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
+var size = (a) => Math.hypot(a[0], a[1], a[2]);
+var cross = (a, b) => [
+  a[1] * b[2] - a[2] * b[1],
+  a[2] * b[0] - a[0] * b[2],
+  a[0] * b[1] - a[1] * b[0]
+];
+function unit(a, otherwise = [0, 1, 0]) {
+  const length = size(a);
+  return length > 0 ? scaled(a, 1 / length) : otherwise;
+}
+var clamp = (x, low, high) => Math.min(Math.max(x, low), high);
+function turned(v, axis, angle) {
+  const cosine = Math.cos(angle);
+  return add(
+    add(scaled(v, cosine), scaled(cross(axis, v), Math.sin(angle))),
+    scaled(axis, dot(axis, v) * (1 - cosine))
+  );
+}
+
+// src/render/camera.ts
+function axesOf(camera) {
+  const forward = unit(sub(camera.target, camera.eye), [0, 0, -1]);
+  let right = cross(forward, camera.up);
+  if (size(right) < 1e-6 * size(camera.up) || size(camera.up) === 0) {
+    const away = forward.map(Math.abs);
+    const axis = away[2] <= away[0] && away[2] <= away[1] ? [0, 0, -1] : away[0] <= away[1] ? [1, 0, 0] : [0, 1, 0];
+    right = cross(forward, axis);
+  }
+  right = unit(right);
+  return { right, up: cross(right, forward), forward };
+}
+function viewOf(camera, origin, width, height, content) {
+  const eye = sub(camera.eye, origin);
+  const { right, up, forward } = axesOf(camera);
+  const gap = [0, 1, 2].map((i) => Math.max(content.low[i] - eye[i], eye[i] - content.high[i], 0));
+  const extent = size(sub(content.high, content.low));
+  const near = Math.max(0.5 * size(gap), Math.min(0.05, 1e-3 * extent), 1e-6);
+  const reach = [0, 1, 2].map(
+    (i) => Math.max(Math.abs(content.low[i] - eye[i]), Math.abs(content.high[i] - eye[i]))
+  );
+  const far = Math.max(1.01 * size(reach), 1.01 * near);
+  const focal = 1 / Math.tan(camera.fovYDeg * Math.PI / 360);
+  const aspect = width / height;
+  const row = (axis, scale) => [...scaled(axis, scale), -scale * dot(axis, eye)];
+  const w = row(forward, 1);
+  const x = row(right, focal / aspect);
+  const y = row(up, -focal);
+  const slope = near / (far - near);
+  const z = w.map((value, i) => slope * ((i === 3 ? far : 0) - value));
+  const viewProjection = [];
+  for (let column = 0; column < 4; ++column) viewProjection.push(x[column], y[column], z[column], w[column]);
+  const plane = (a, b, sign) => {
+    const sum = a.map((value, i) => value + sign * b[i]);
+    const length = Math.hypot(sum[0], sum[1], sum[2]) || 1;
+    return sum.map((value) => value / length);
+  };
+  const zero = [0, 0, 0, 0];
+  const rays = [scaled(right, aspect / focal), scaled(up, -1 / focal), forward];
+  return {
+    eye,
+    viewProjection,
+    planes: [plane(w, x, 1), plane(w, x, -1), plane(w, y, -1), plane(w, y, 1), plane(w, z, -1), plane(z, zero, 0)],
+    rays,
+    pixelsPerUnit: 0.5 * focal * height
+  };
+}
+function fittingCamera(content, origin, up, sun, aspect) {
+  const fovYDeg = 40;
+  const filled = 0.85;
+  const sunSide = unit(sub(sun, scaled(up, dot(sun, up))), [1, 0, 0]);
+  const beside = cross(up, sunSide);
+  const angle = 50 * Math.PI / 180;
+  const extent = sub(content.high, content.low);
+  const isLevel = Math.abs(dot(extent, up)) < 0.35 * size(extent);
+  const elevation = (isLevel ? 17 : 24) * Math.PI / 180;
+  const towards = add(scaled(sunSide, Math.cos(angle)), scaled(beside, Math.sin(angle)));
+  const forward = sub(scaled(towards, -Math.cos(elevation)), scaled(up, Math.sin(elevation)));
+  const right = unit(cross(forward, up));
+  const above = cross(right, forward);
+  const tanY = filled * Math.tan(fovYDeg * Math.PI / 360);
+  const tanX = tanY * aspect;
+  let east = -Infinity;
+  let west = -Infinity;
+  let north = -Infinity;
+  let south = -Infinity;
+  let nearest = Infinity;
+  let farthest2 = -Infinity;
+  for (let corner = 0; corner < 8; ++corner) {
+    const p = [0, 1, 2].map((i) => corner & 1 << i ? content.high[i] : content.low[i]);
+    const x = dot(p, right);
+    const y = dot(p, above);
+    const z = dot(p, forward);
+    east = Math.max(east, x - tanX * z);
+    west = Math.max(west, -x - tanX * z);
+    north = Math.max(north, y - tanY * z);
+    south = Math.max(south, -y - tanY * z);
+    nearest = Math.min(nearest, z);
+    farthest2 = Math.max(farthest2, z);
+  }
+  const depth = Math.min(-(east + west) / (2 * tanX), -(north + south) / (2 * tanY), nearest - 1e-3);
+  const middle = 0.5 * (north - south);
+  const eye = add(
+    add(scaled(right, 0.5 * (east - west)), scaled(above, isLevel ? -south - tanY * depth : middle)),
+    scaled(forward, depth)
+  );
+  return {
+    name: "fit",
+    eye: add(origin, eye),
+    target: add(origin, add(eye, scaled(forward, 0.5 * (nearest + farthest2) - depth))),
+    up,
+    fovYDeg
+  };
+}
+
+// src/render/half.ts
+var buffer = new DataView(new ArrayBuffer(4));
+function fromHalf(bits) {
+  const sign = bits & 32768 ? -1 : 1;
+  const exponent = bits >>> 10 & 31;
+  const mantissa = bits & 1023;
+  return sign * (exponent === 0 ? mantissa * 2 ** -24 : (1 + mantissa / 1024) * 2 ** (exponent - 15));
+}
+
+// src/render/cover.ts
+var shapeBytes = 112;
+function parseCoverFile(bytes, name) {
+  if (bytes.byteLength < shapeBytes || bytes.byteLength % 4 !== 0)
+    fail("input", `${name}: ${bytes.byteLength} bytes, not a cover of at least ${shapeBytes}`);
+  const view = new DataView(bytes);
+  const float = (at) => view.getFloat32(at, true);
+  const word = (at) => view.getUint32(at, true);
+  const vector = (at) => [float(at), float(at + 4), float(at + 8)];
+  const counts = [word(24), word(28), word(32)];
+  const corners = new Uint32Array(bytes, shapeBytes);
+  if (counts[0] * counts[1] * counts[2] !== corners.length)
+    fail("input", `${name}: ${corners.length} corners instead of ${counts.join("·")}`);
+  return {
+    areaFactor: float(0),
+    low: vector(8),
+    cellsPerMetre: float(20),
+    counts,
+    undergrowth: vector(40),
+    sward: vector(56),
+    thinned: float(68),
+    structure: float(72),
+    stepsPerMetre: float(76),
+    leaves: Array.from({ length: heightSteps / 2 }, (_, i) => word(80 + 4 * i)),
+    corners
+  };
+}
+var noCover = {
+  areaFactor: 1,
+  low: [0, 0, 0],
+  cellsPerMetre: 0,
+  counts: [0, 0, 0],
+  undergrowth: [0.08, 0.09, 0.03],
+  sward: [0.1, 0.16, 0.04],
+  thinned: 1,
+  structure: 0.2,
+  stepsPerMetre: 1,
+  leaves: Array(heightSteps / 2).fill(0),
+  corners: new Uint32Array(1)
+};
+function leafAreaAt(cover, place) {
+  const [nx, ny] = cover.counts;
+  if (nx === 0) return 0;
+  const cell = [0, 0, 0];
+  const f = [0, 0, 0];
+  for (let i = 0; i < 3; ++i) {
+    const last = cover.counts[i] - 1;
+    const at = Math.min(Math.max((place[i] - cover.low[i]) * cover.cellsPerMetre, 0), last);
+    cell[i] = Math.min(Math.floor(at), last - 1);
+    f[i] = at - cell[i];
+  }
+  let sum = 0;
+  for (let corner = 0; corner < 8; ++corner) {
+    let weight = 1;
+    const at = cell.map((c, i) => {
+      const far = corner >> i & 1;
+      weight *= far ? f[i] : 1 - f[i];
+      return c + far;
+    });
+    const bits = cover.corners[at[0] + nx * (at[1] + ny * at[2])] & ~toneBits;
+    sum += weight * fromHalf(bits & 65535);
+  }
+  return sum;
+}
+var leafProjectionOf = (cover) => fromHalf(cover.leaves[0] & 65535);
+
+// src/render/light.ts
+var usualLight = {
+  sunDirection: unit([0.72, 0.62, -0.42]),
+  sunColor: [3.4, 2.85, 2.1],
+  skyColor: [0.42, 0.6, 0.92],
+  groundColor: [0.2, 0.23, 0.11],
+  adaptation: 1
+};
+var extinction = [0.08, 0.14, 0.26];
+var afterglow = 0.0375;
+var twilightFold = 6;
+var darkest = 0.04;
+var leafProjection = 0.5;
+var maxAdaptation = 2;
+var usualElevation = Math.asin(usualLight.sunDirection[1]) * 180 / Math.PI;
+var each = (f) => [f(0), f(1), f(2)];
+function airMass(elevation) {
+  const above = Math.max(elevation, 0);
+  return 1 / (Math.sin(above * Math.PI / 180) + 0.50572 * Math.pow(above + 6.07995, -1.6364));
+}
+function scattered(elevation) {
+  const rise = Math.max(Math.sin(elevation * Math.PI / 180), 0);
+  const factor = Math.sqrt(rise * rise + afterglow * afterglow);
+  return each((i) => factor * (1 - Math.exp(-extinction[i] * airMass(elevation))));
+}
+function skyShare(elevation) {
+  if (elevation >= usualElevation) return [1, 1, 1];
+  const own = scattered(elevation);
+  const usual = scattered(usualElevation);
+  return each((i) => {
+    const share = own[i] / usual[i];
+    return elevation >= 0 ? share : Math.max(share * Math.exp(elevation / twilightFold), darkest);
+  });
+}
+function sunColorAt(elevation) {
+  const more = airMass(elevation) - airMass(usualElevation);
+  return each((i) => usualLight.sunColor[i] * Math.exp(-extinction[i] * more));
+}
+function lightAt(azimuth, elevation, up) {
+  const a = azimuth * Math.PI / 180;
+  const e = elevation * Math.PI / 180;
+  const share = skyShare(elevation);
+  const lowered = Math.min(elevation, usualElevation);
+  const low = elevation > 0 ? sunColorAt(lowered) : [0, 0, 0];
+  const loweredShare = skyShare(lowered);
+  const groundColor = each((i) => {
+    const sky = 0.5 * 1.25 * usualLight.skyColor[i];
+    return usualLight.groundColor[i] * (leafProjection * low[i] + sky * loweredShare[i]) / (leafProjection * usualLight.sunColor[i] + sky);
+  });
+  const luminance2 = (c) => dot(c, [0.2126, 0.7152, 0.0722]);
+  const left = luminance2(groundColor) / luminance2(usualLight.groundColor);
+  return {
+    sunDirection: turnedWith(up, [Math.sin(a) * Math.cos(e), Math.sin(e), -Math.cos(a) * Math.cos(e)]),
+    sunColor: elevation > 0 ? sunColorAt(elevation) : [0, 0, 0],
+    skyColor: each((i) => usualLight.skyColor[i] * share[i]),
+    groundColor,
+    adaptation: Math.min(1 / Math.sqrt(left), maxAdaptation)
+  };
+}
+var usualSun = {
+  azimuth: Math.atan2(usualLight.sunDirection[0], -usualLight.sunDirection[2]) * 180 / Math.PI,
+  elevation: usualElevation
+};
+function turnedWith(up, direction) {
+  const cosine = up[1];
+  if (cosine < -0.9999) return [direction[0], -direction[1], -direction[2]];
+  const axis = cross([0, 1, 0], up);
+  const once = cross(axis, direction);
+  return add(add(direction, once), scaled(cross(axis, once), 1 / (1 + cosine)));
+}
+function lowSunOf(rise) {
+  const t = clamp(rise / 0.59, 0, 1);
+  return Math.pow(1 - t * t * (3 - 2 * t), 0.6);
+}
+function skyUpOf(direction, attractor, blend, eye) {
+  const way = [attractor[0] - eye[0], attractor[1] - eye[1], attractor[2] - eye[2]];
+  const pull = size(way) > 0 ? unit(way) : direction;
+  return unit(
+    each((i) => -(direction[i] * (1 - blend) + pull[i] * blend)),
+    scaled(direction, -1)
+  );
+}
+
+// src/render/exposure.ts
+var exposedGrey = 0.163;
+var exposedBright = 1.6;
+var meadowBrightness = 0.6;
+var adaptation = 0.5;
+var usualGround = 0.2;
+var fewBlades = 0.05;
+var groundSamples = 2e4;
+var samplesOfTriangle = 256;
+var mayClip = 0.01;
+var skyExtinction = 1.2;
+var lowestSun = 0.1;
+var luminance = (c) => 0.2126 * c[0] + 0.7152 * c[1] + 0.0722 * c[2];
+var linear = (s) => s <= 0.04045 ? s / 12.92 : ((s + 0.055) / 1.055) ** 2.4;
+var undergrowthBelow = (leafArea) => 1 - Math.exp(-0.65 * leafArea);
+function lightBelow(cover, leafArea, facing) {
+  const upwards = leafProjectionOf(cover);
+  const risen = Math.max(facing, lowestSun);
+  const beside = 0.637 * Math.sqrt(Math.max(1 - 1.9 * upwards * upwards, 0));
+  const along = Math.hypot(upwards * risen, beside * Math.sqrt(Math.max(1 - risen * risen, 0)));
+  const sun = facing * Math.exp(-along * leafArea / risen);
+  const sky = 1.25 * Math.exp(-skyExtinction * leafArea);
+  return [0, 1, 2].map((i) => sun * usualLight.sunColor[i] + sky * usualLight.skyColor[i]);
+}
+function placesOf(ground, cover) {
+  const view = new DataView(ground.vertices.buffer, ground.vertices.byteOffset, ground.vertices.length);
+  const float = (vertex, word) => view.getFloat32(groundVertexBytes * vertex + 4 * word, true);
+  const position = (v) => [float(v, 0), float(v, 1), float(v, 2)];
+  const color = (v) => [0, 1, 2].map((i) => view.getUint8(groundVertexBytes * v + 24 + i) / 255);
+  const ranges = ground.ranges.filter((range) => range.level === 0);
+  const triangles = ranges.reduce((sum, range) => sum + range.indexCount / 3, 0);
+  const stride = Math.max(Math.floor(triangles / groundSamples), 1);
+  const each2 = clamp(Math.floor(groundSamples / Math.max(triangles, 1)), 1, samplesOfTriangle);
+  const places = [];
+  for (const range of ranges) {
+    const material = ground.materials[range.material];
+    for (let i = 0; i < range.indexCount / 3; i += stride) {
+      const corners = [0, 1, 2].map((k) => ground.indices[range.firstIndex + 3 * i + k]);
+      const [a, b, c] = corners.map(position);
+      const area = 0.5 * stride * size(cross(sub(b, a), sub(c, a))) / each2;
+      for (let k = 0; k < each2; ++k) {
+        const n = places.length;
+        let p = (0.5 + n * 0.7548776662466927) % 1;
+        let q = (0.5 + n * 0.569840290998053) % 1;
+        if (p + q > 1) [p, q] = [1 - p, 1 - q];
+        const w = [1 - p - q, p, q];
+        const mixed = (values) => values[0].map((_, j) => w[0] * values[0][j] + w[1] * values[1][j] + w[2] * values[2][j]);
+        const vertex = mixed(corners.map(color));
+        const albedo = [0, 1, 2].map((j) => material.baseColor[j] * vertex[j]);
+        const image = ground.images[material.image];
+        if (image) {
+          const uv = mixed(corners.map((v) => [float(v, 4), float(v, 5)]));
+          const x = Math.min(Math.floor((uv[0] - Math.floor(uv[0])) * image.width), image.width - 1);
+          const y = Math.min(Math.floor((uv[1] - Math.floor(uv[1])) * image.height), image.height - 1);
+          for (let j = 0; j < 3; ++j) albedo[j] *= linear(image.pixels[4 * (y * image.width + x) + j] / 255);
+        }
+        const place = mixed([a, b, c]);
+        places.push({ color: albedo, area, leafArea: cover.thinned * leafAreaAt(cover, place) });
+      }
+    }
+  }
+  return places;
+}
+function chosenExposure(ground, cover, hasBlades) {
+  const cosine = usualLight.sunDirection[1];
+  const times = (a, b) => [a[0] * b[0], a[1] * b[1], a[2] * b[2]];
+  const leaves = hasBlades ? luminance(times(cover.sward, lightBelow(cover, 0, cosine))) : 0;
+  let area = 0;
+  let open = 0;
+  let bare = 0;
+  let stops = 0;
+  const facing = [];
+  for (const place of placesOf(ground, cover)) {
+    const under = undergrowthBelow(place.leafArea);
+    const share = 1 - under;
+    const color = place.color.map((c, i) => c * share + cover.undergrowth[i] * under);
+    const level = luminance(times(color, lightBelow(cover, place.leafArea, cosine)));
+    area += place.area;
+    open += share * place.area;
+    bare += place.area * luminance(times(place.color, lightBelow(cover, 0, cosine)));
+    if (leaves > 0) stops += share * place.area * Math.log(Math.max(level / leaves, 1));
+    facing.push({
+      radiance: Math.max(...times(color, lightBelow(cover, place.leafArea, 1))),
+      area: share * place.area
+    });
+  }
+  facing.sort((a, b) => b.radiance - a.radiance);
+  let brightest = 0;
+  let above = 0;
+  for (const one of facing) {
+    above += one.area;
+    if (above < mayClip * area) continue;
+    brightest = one.radiance;
+    break;
+  }
+  const seen = area > 0 ? { share: open / area, mean: bare / area, stops: stops / area } : { share: 0, mean: 0, stops: 0 };
+  let mean = seen.mean > usualGround ? Math.sqrt(seen.mean * usualGround) : seen.mean;
+  let raised = 0;
+  if (leaves > 0) {
+    const meadow = Math.min((1 - seen.share) / fewBlades, 1);
+    mean = (meadowBrightness * leaves) ** meadow * Math.max(mean, 1e-6) ** (1 - meadow);
+    raised = meadow * adaptation * seen.stops;
+  }
+  const wanted = mean > 0 ? exposedGrey / mean * Math.exp(-raised) : 1;
+  const allowed = brightest > 0 ? exposedBright / brightest : 4;
+  return clamp(Math.min(wanted, allowed), 0.25, 4);
+}
+
+// src/render/floor.ts
+var noFloor = {
+  middle: [0, 0, 0],
+  reach: 0,
+  along: [1, 0, 0],
+  height: 0,
+  halfSides: [1, 1],
+  cornerRadius: 0
+};
+var Extent = class {
+  low = Infinity;
+  high = -Infinity;
+  add(value) {
+    this.low = Math.min(this.low, value);
+    this.high = Math.max(this.high, value);
+  }
+  get length() {
+    return Math.max(this.high - this.low, 0);
+  }
+  get middle() {
+    return 0.5 * (this.low + this.high);
+  }
+};
+function isSheet(ground, floats, up) {
+  let above = 0;
+  let below = 0;
+  const at = (v) => [floats[7 * v], floats[7 * v + 1], floats[7 * v + 2]];
+  for (const range of ground.ranges) {
+    if (range.level !== 0) continue;
+    for (let i = range.firstIndex; i + 2 < range.firstIndex + range.indexCount; i += 3) {
+      const a = at(ground.indices[i]);
+      const area = dot(cross(sub(at(ground.indices[i + 1]), a), sub(at(ground.indices[i + 2]), a)), up);
+      if (area > 0) above += area;
+      else below -= area;
+    }
+  }
+  return Math.max(above, below) >= 0.8 * (above + below);
+}
+function floorOf(ground, up) {
+  const s = up.map(Math.abs);
+  const side = s[0] <= Math.min(s[1], s[2]) ? [1, 0, 0] : [0, 0, 1];
+  const alongAxis = unit(sub(side, scaled(up, dot(side, up))));
+  const acrossAxis = cross(up, alongAxis);
+  const floats = new Float32Array(ground.vertices.buffer, ground.vertices.byteOffset, ground.vertices.length / 4);
+  const along = new Extent();
+  const across = new Extent();
+  const above = new Extent();
+  const place = (v) => {
+    const p = [floats[7 * v], floats[7 * v + 1], floats[7 * v + 2]];
+    return [dot(p, alongAxis), dot(p, acrossAxis), dot(p, up)];
+  };
+  for (let v = 0; v < ground.vertexCount; ++v) {
+    const [x, z, y] = place(v);
+    along.add(x);
+    across.add(z);
+    above.add(y);
+  }
+  const half = 0.5 * Math.hypot(along.length, across.length);
+  if (ground.vertexCount === 0 || !(half > 0)) return noFloor;
+  const foot = new Extent();
+  const footAcross = new Extent();
+  const rim = new Extent();
+  let farthest2 = 0;
+  const sides = [Math.max(0.5 * along.length, 1e-6), Math.max(0.5 * across.length, 1e-6)];
+  for (let v = 0; v < ground.vertexCount; ++v) {
+    const [x, z, y] = place(v);
+    const a = Math.abs((x - along.middle) / sides[0]);
+    const b = Math.abs((z - across.middle) / sides[1]);
+    farthest2 = Math.max(farthest2, Math.hypot(a, b));
+    if (Math.max(a, b) >= 0.95) rim.add(y);
+    if (y > above.low + 0.02 * above.length) continue;
+    foot.add(x);
+    footAcross.add(z);
+  }
+  const sheet = isSheet(ground, floats, up);
+  const stands = foot.length >= 0.6 * along.length && footAcross.length >= 0.6 * across.length;
+  if (!stands && !sheet) return noFloor;
+  const level = sheet ? rim.low : above.low;
+  const root = Math.SQRT2;
+  return {
+    middle: add(add(scaled(alongAxis, along.middle), scaled(acrossAxis, across.middle)), scaled(up, level)),
+    reach: 2.5 * half,
+    along: alongAxis,
+    height: 0.5 * (above.high - level),
+    halfSides: sides,
+    cornerRadius: Math.min(...sides) * clamp((root - farthest2) / (root - 1), 0, 1)
+  };
+}
+
+// src/render/block.ts
+var Block = class {
+  constructor(layout, size2) {
+    this.layout = layout;
+    this.bytes = new ArrayBuffer(size2);
+    this.asFloats = new Float32Array(this.bytes);
+    this.asWords = new Uint32Array(this.bytes);
+  }
+  layout;
+  bytes;
+  asFloats;
+  asWords;
+  floats(path, values) {
+    this.asFloats.set(values, this.at(path));
+  }
+  words(path, values) {
+    this.asWords.set(values, this.at(path));
+  }
+  at(path) {
+    const offset = this.layout[path];
+    if (offset === void 0) throw new Error(`the block has no member ${path}`);
+    return offset / 4;
+  }
+};
+
+// src/render/wind.ts
+var eddyDrift = [0.48, 0.57, 0.67];
+var windPeriod = 65536;
+var lessWhole = (x, period) => x - period * Math.round(x / period);
+var number32 = (x) => Number(BigInt.asUintN(32, BigInt(Math.round(x))));
+var point = (cell) => Math.imul(cell[0], latticeX) + Math.imul(cell[1], latticeY) + Math.imul(cell[2], latticeZ) >>> 0;
+function writeWind(block, wind, origin, extent, strength, time) {
+  const at = "environment.wind.";
+  const sources = [
+    { kind: windNoise, strength: wind.strength * wind.gustiness * strength, size: wind.gustSize },
+    { kind: windWave, strength: wind.strength * (1 - wind.gustiness) * strength, size: wind.waveLength }
+  ].filter((source) => source.strength > 0);
+  const direction = unit(wind.direction, [1, 0, 0]);
+  const side = Math.abs(direction[1]) < 0.99 ? unit(cross(direction, [0, 1, 0])) : [1, 0, 0];
+  let counts = sources.length > 0 ? windsAlike : 0;
+  let eddySize = extent > 0 ? 0.25 * extent : 1e9;
+  let eddySpeed = 0;
+  let sum = 0;
+  sources.forEach((source, i) => {
+    const s = `${at}sources[${i}].`;
+    block.floats(`${s}direction`, direction);
+    block.floats(`${s}strength`, [source.strength]);
+    block.floats(`${s}size`, [source.size]);
+    block.floats(`${s}speed`, [wind.speed]);
+    block.floats(`${s}alignment`, [1]);
+    block.words(`${s}kind`, [source.kind]);
+    block.floats(`${s}side`, side);
+    block.floats(`${s}perSize`, [1 / source.size]);
+    counts += 1 << 4 * source.kind;
+    sum += source.strength;
+    eddySize = Math.min(eddySize, 2 * source.size);
+    eddySpeed = Math.max(eddySpeed, Math.abs(wind.speed));
+    writePhase(block, `${at}phases[${i}].`, source.kind, direction, wind.speed / source.size, time);
+  });
+  block.words(`${at}counts`, [counts]);
+  block.floats(`${at}eddySize`, [eddySize]);
+  block.floats(`${at}eddySpeed`, [eddySpeed]);
+  block.floats(`${at}sum`, [sum]);
+  block.floats(`${at}eddyPhase`, eddyDrift.map((drift) => lessWhole(drift * eddySpeed * time / eddySize, 1)));
+  block.floats(`${at}lattice.origin`, origin.map((x) => lessWhole(x, windPeriod)));
+  block.floats(`${at}lattice.x`, [1, 0, 0]);
+  block.floats(`${at}lattice.y`, [0, 1, 0]);
+  block.floats(`${at}lattice.z`, [0, 0, 1]);
+}
+function writePhase(block, at, kind, direction, pace, time) {
+  if (kind === windWave) {
+    block.floats(`${at}angle`, [2 * Math.PI * lessWhole(pace * time, 20)]);
+    return;
+  }
+  const cells2 = direction.map((along) => -along * pace * time);
+  const whole = cells2.map(Math.round);
+  const fine = whole.map((cell) => fineNoiseScale * cell + fineNoiseStart);
+  const wholeFine = fine.map(Math.round);
+  block.floats(`${at}shift`, cells2.map((cell, i) => cell - whole[i]));
+  block.words(`${at}cell`, [point(whole.map(number32))]);
+  block.floats(`${at}fineShift`, fine.map((cell, i) => cell - wholeFine[i]));
+  block.words(`${at}fineCell`, [point(wholeFine.map(number32))]);
+}
+
+// src/render/frame.ts
+var frameSettings = { lodThreshold: 0.3, minPixels: 0.8, maxLeafArea: 10, clouds: 0.35, samples: 4 };
+var sunMapSize = 2048;
+function chosenFog(content, eye) {
+  const nearest = [0, 1, 2].map((i) => clamp(eye[i], content.low[i], content.high[i]));
+  const reach = Math.max(size(sub(content.high, content.low)), size(sub(eye, nearest)));
+  return reach > 0 ? 0.105 / reach : 0;
+}
+var minWidthOf = (view) => frameSettings.minPixels / (view.pixelsPerUnit * Math.sqrt(frameSettings.samples));
+function frameBlock(scene, input) {
+  const { field, cover, content } = scene;
+  const { view, light } = input;
+  const block = new Block(frameLayout, frameBytes);
+  const origin = field.origin;
+  const gravity = field.defaults.gravity;
+  const attractor = sub(gravity.attractor, origin);
+  const skyUp = skyUpOf(gravity.direction, attractor, gravity.blend, view.eye);
+  block.floats("viewProjection", view.viewProjection);
+  view.rays.forEach((ray, i) => block.floats(`rays[${i}]`, ray));
+  view.planes.forEach((plane, i) => block.floats(`view.planes[${i}]`, plane));
+  block.floats("view.eye", view.eye);
+  block.floats("view.drawDistance", [field.defaults.drawDistance]);
+  block.floats("view.pixelsPerUnit", [view.pixelsPerUnit]);
+  block.floats("view.lodThreshold", [input.lodThreshold]);
+  block.floats("view.lodWidth", [scene.bladeWidth]);
+  block.floats("view.minWidth", [minWidthOf(view)]);
+  block.floats("view.maxLeafArea", [frameSettings.maxLeafArea]);
+  block.floats("view.maxEdgeOn", [1]);
+  block.words("view.samples", [frameSettings.samples]);
+  block.words("view.cullMask", [cullPatch | cullOrientation | cullFrustum | cullDistance | leaveThinned]);
+  block.floats("view.areaFactor", [cover.areaFactor]);
+  block.words("maxTessellation", [16]);
+  const environment = "environment.gravity.";
+  block.floats(`${environment}direction`, unit(gravity.direction, [0, -1, 0]));
+  block.floats(`${environment}strength`, [gravity.strength]);
+  block.floats(`${environment}attractor`, attractor);
+  block.floats(`${environment}blend`, [gravity.blend]);
+  block.floats(`${environment}forward`, [0.25]);
+  block.floats("environment.recovery", [field.defaults.recovery]);
+  const extent = size(sub(content.high, content.low));
+  writeWind(block, field.defaults.wind, origin, extent, input.wind, input.time);
+  block.floats("sunDirection", light.sunDirection);
+  block.floats("sunColor", light.sunColor);
+  block.floats("skyColor", light.skyColor);
+  block.floats("groundColor", light.groundColor);
+  block.floats("skyUp", skyUp);
+  block.floats("exposure", [scene.exposure * light.adaptation]);
+  block.floats("lowSun", [lowSunOf(dot(light.sunDirection, skyUp))]);
+  block.floats("fogDensity", [chosenFog(content, view.eye)]);
+  block.floats("clouds", [frameSettings.clouds]);
+  writeCover(block, cover, field.defaults.drawDistance);
+  writeSun(block, scene.groundBox, light.sunDirection);
+  if (input.shadowDistance > 0) writeBladeShadow(block, view, input.camera, light.sunDirection, input.shadowDistance);
+  const floor = scene.floor;
+  block.floats("floorPlane.middle", floor.middle);
+  block.floats("floorPlane.reach", [floor.reach]);
+  block.floats("floorPlane.along", floor.along);
+  block.floats("floorPlane.height", [floor.height]);
+  block.floats("floorPlane.halfSides", floor.halfSides);
+  block.floats("floorPlane.cornerRadius", [floor.cornerRadius]);
+  return block;
+}
+function writeCover(block, cover, drawDistance) {
+  block.floats("cover.low", cover.low);
+  block.floats("cover.cellsPerMetre", [cover.cellsPerMetre]);
+  block.words("cover.countX", [cover.counts[0]]);
+  block.words("cover.countY", [cover.counts[1]]);
+  block.words("cover.countZ", [cover.counts[2]]);
+  block.floats("cover.farthest", [drawDistance]);
+  block.floats("cover.undergrowth", cover.undergrowth);
+  block.floats("cover.thatch", [1]);
+  block.floats("cover.sward", cover.sward);
+  block.floats("cover.thinned", [cover.thinned]);
+  block.floats("cover.structure", [cover.structure]);
+  block.floats("cover.stepsPerMetre", [cover.stepsPerMetre]);
+  cover.leaves.forEach((word, i) => block.words(`cover.leaves[${i}]`, [word]));
+}
+function axesAbout(n) {
+  const s = n[2] >= 0 ? 1 : -1;
+  const a = -1 / (s + n[2]);
+  return [
+    [1 + s * n[0] * n[0] * a, s * n[0] * n[1] * a, -s * n[0]],
+    [n[0] * n[1] * a, s + n[1] * n[1] * a, -n[1]]
+  ];
+}
+function writeSun(block, ground, sun) {
+  if (!(ground.low[0] <= ground.high[0])) return;
+  const rim = 2;
+  const axes = [...axesAbout(sun), sun];
+  const centre = [0, 1, 2].map((i) => 0.5 * (ground.low[i] + ground.high[i]));
+  const half = [0, 1, 2].map((i) => 0.5 * (ground.high[i] - ground.low[i]));
+  const reach = axes.map((axis) => Math.max(dot(axis.map(Math.abs), half), 1e-6));
+  const scales = [(0.5 * sunMapSize - rim) / reach[0], (0.5 * sunMapSize - rim) / reach[1], 0.49 / reach[2]];
+  const row = (i, middle) => [...scaled(axes[i], scales[i]), middle - scales[i] * dot(axes[i], centre)];
+  block.floats("shadow.across", row(0, 0.5 * sunMapSize));
+  block.floats("shadow.down", row(1, 0.5 * sunMapSize));
+  block.floats("shadow.depth", row(2, 0.5));
+  block.words("shadow.size", [sunMapSize]);
+  block.floats("shadow.texel", [1 / Math.min(scales[0], scales[1])]);
+  block.floats("shadow.epsilon", [4e-6]);
+}
+function shadowRows(view, camera, sun, distance) {
+  const half = 0.5 * distance;
+  const across = unit(cross(Math.abs(sun[1]) < 0.9 ? [0, 1, 0] : [1, 0, 0], sun));
+  const down = cross(sun, across);
+  const middle = axesOf(camera).forward.map((x, i) => view.eye[i] + half * x);
+  const texel = 2 * half / bladeShadowTexels;
+  const stepped = (axis) => Math.round(dot(axis, middle) / texel) * texel;
+  const length = 3 * half;
+  return [
+    [...scaled(across, 1 / half), -stepped(across) / half],
+    [...scaled(down, 1 / half), -stepped(down) / half],
+    [...scaled(sun, 1 / length), (half - stepped(sun)) / length]
+  ];
+}
+function writeBladeShadow(block, view, camera, sun, distance) {
+  const rows = shadowRows(view, camera, sun, distance);
+  const half = 0.5 * bladeShadowTexels;
+  const inTexels = (row) => row.map((x, i) => half * x + (i === 3 ? half : 0));
+  block.floats("bladeShadow.across", inTexels(rows[0]));
+  block.floats("bladeShadow.down", inTexels(rows[1]));
+  block.floats("bladeShadow.depth", rows[2]);
+  block.words("bladeShadow.size", [bladeShadowTexels]);
+  block.floats("bladeShadow.nearer", [1 / (bladeShadowTexels * 3)]);
+}
+function shadowPlanes(rows) {
+  const one = [0, 0, 0, 1];
+  const plane = (a, b, sign) => {
+    const sum = a.map((x, i) => x + sign * b[i]);
+    const length = Math.hypot(sum[0], sum[1], sum[2]) || 1;
+    return sum.map((x) => x / length);
+  };
+  const zero = [0, 0, 0, 0];
+  return [
+    plane(one, rows[0], 1),
+    plane(one, rows[0], -1),
+    plane(one, rows[1], 1),
+    plane(one, rows[1], -1),
+    plane(one, rows[2], -1),
+    plane(rows[2], zero, 0)
+  ];
+}
+function looksBlock(field) {
+  const block = new Block(looksLayout, looksBytes);
+  const radians = (degrees) => degrees * Math.PI / 180;
+  const write = (at, look, firstOrgan, organKinds) => {
+    block.floats(`${at}rootColor`, look.rootColor);
+    block.floats(`${at}tipThreshold`, [look.tipThreshold]);
+    block.floats(`${at}tipColor`, look.tipColor);
+    block.floats(`${at}groundTint`, [look.groundTint]);
+    block.floats(`${at}colorVariation`, [look.colorVariation]);
+    block.floats(`${at}translucency`, [look.translucency]);
+    block.floats(`${at}gloss`, [look.gloss]);
+    block.floats(`${at}dryness`, [look.dryness]);
+    block.words(`${at}shape`, [look.shape]);
+    block.floats(`${at}fold`, [look.fold]);
+    block.words(`${at}firstOrgan`, [firstOrgan]);
+    block.words(`${at}organKinds`, [organKinds]);
+  };
+  let next = 0;
+  field.species.forEach((species, i) => {
+    write(`species[${i}].`, species, species.organs.length > 0 ? next : 0, species.organs.length);
+    for (const organ of species.organs) {
+      const at = `organs[${next++}].`;
+      write(`${at}look.`, organ, 0, 0);
+      block.words(`${at}count`, [organ.count]);
+      block.floats(`${at}place`, organ.place);
+      block.floats(`${at}pitch`, organ.pitch.map(radians));
+      block.floats(`${at}size`, organ.length);
+      block.floats(`${at}width`, [organ.width]);
+      block.floats(`${at}azimuth`, [radians(organ.azimuth)]);
+      block.floats(`${at}turn`, [radians(organ.turn)]);
+      block.floats(`${at}bend`, [radians(organ.bend)]);
+      block.floats(`${at}leg`, [legLength(radians(organ.bend))]);
+      block.floats(`${at}variation`, [organ.variation]);
+    }
+  });
+  return block;
+}
+function legLength(bend) {
+  let sum = 0;
+  for (let i = 0; i <= 32; ++i) {
+    const t = i / 32;
+    const speed = Math.sqrt(Math.max(1 - 2 * t * (1 - t) * (1 - Math.cos(bend)), 0));
+    sum += (i === 0 || i === 32 ? 1 : i % 2 === 1 ? 4 : 2) * speed;
+  }
+  return 0.5 * 96 / sum;
+}
+
+// src/render/gl.ts
+var units = [
+  "bladeTexture",
+  "stateTexture",
+  "patchTexture",
+  "coverTexture",
+  "sunTexture",
+  "bladeShadowTexture",
+  "baseColor",
+  "resolved",
+  "resolved1",
+  "resolved2",
+  "resolved3"
+];
+var blocks = ["FrameConstants", "LookTables"];
+var Program = class {
+  /** `captured`: outputs of the vertex stage that transform feedback keeps, in this order. */
+  constructor(gl, name, vertex, fragment, captured2 = []) {
+    this.gl = gl;
+    this.name = name;
+    this.program = gl.createProgram();
+    const shaders = [
+      [gl.VERTEX_SHADER, vertex],
+      [gl.FRAGMENT_SHADER, fragment]
+    ].map(([kind, text]) => {
+      const shader = gl.createShader(kind);
+      gl.shaderSource(shader, text);
+      gl.compileShader(shader);
+      gl.attachShader(this.program, shader);
+      return shader;
+    });
+    if (captured2.length > 0) gl.transformFeedbackVaryings(this.program, captured2, gl.INTERLEAVED_ATTRIBS);
+    gl.linkProgram(this.program);
+    this.check = () => {
+      if (gl.getProgramParameter(this.program, gl.LINK_STATUS) || gl.isContextLost()) return;
+      const log = [...shaders.map((shader) => gl.getShaderInfoLog(shader)), gl.getProgramInfoLog(this.program)];
+      console.warn(log.join("\n"));
+      fail("runtime", `the program ${name} does not compile on this device`);
+    };
+  }
+  gl;
+  name;
+  program;
+  places = /* @__PURE__ */ new Map();
+  check;
+  /** Waits for the compiler, and sets samplers and blocks. */
+  finish() {
+    this.check();
+    const gl = this.gl;
+    gl.useProgram(this.program);
+    units.forEach((sampler, unit2) => {
+      const place = gl.getUniformLocation(this.program, sampler);
+      if (place) gl.uniform1i(place, unit2);
+    });
+    blocks.forEach((block, binding) => {
+      const index = gl.getUniformBlockIndex(this.program, block);
+      if (index !== gl.INVALID_INDEX) gl.uniformBlockBinding(this.program, index, binding);
+    });
+    return this;
+  }
+  use() {
+    this.gl.useProgram(this.program);
+  }
+  place(name) {
+    if (!this.places.has(name)) this.places.set(name, this.gl.getUniformLocation(this.program, name));
+    return this.places.get(name);
+  }
+};
+function bindTexture(gl, sampler, texture) {
+  gl.activeTexture(gl.TEXTURE0 + units.indexOf(sampler));
+  gl.bindTexture(gl.TEXTURE_2D, texture);
+}
+function makeTexture(gl, format, width, height) {
+  const texture = gl.createTexture();
+  gl.activeTexture(gl.TEXTURE0 + units.length);
+  gl.bindTexture(gl.TEXTURE_2D, texture);
+  gl.texStorage2D(gl.TEXTURE_2D, 1, format, width, height);
+  gl.texParameteri(gl.TEXTURE_2D, gl.TEXTURE_MIN_FILTER, gl.NEAREST);
+  gl.texParameteri(gl.TEXTURE_2D, gl.TEXTURE_MAG_FILTER, gl.NEAREST);
+  return texture;
+}
+var tableWidth = 2048;
+function wordTable(gl, words) {
+  const rows = Math.max(Math.ceil(words.length / tableWidth), 1);
+  const texture = makeTexture(gl, gl.R32UI, tableWidth, rows);
+  const whole = new Uint32Array(rows * tableWidth);
+  whole.set(words);
+  gl.texSubImage2D(gl.TEXTURE_2D, 0, 0, 0, tableWidth, rows, gl.RED_INTEGER, gl.UNSIGNED_INT, whole);
+  return texture;
+}
+function imageTexture(gl, image) {
+  let { width, height, pixels } = image ?? { width: 1, height: 1, pixels: new Uint8Array([255, 255, 255, 255]) };
+  const most = gl.getParameter(gl.MAX_TEXTURE_SIZE);
+  while (width > most || height > most) {
+    const [w, h] = [Math.max(width >> 1, 1), Math.max(height >> 1, 1)];
+    const from = new Uint32Array(pixels.slice().buffer);
+    const half = new Uint32Array(w * h);
+    for (let y = 0; y < h; ++y)
+      for (let x = 0; x < w; ++x)
+        half[y * w + x] = from[Math.min(2 * y, height - 1) * width + Math.min(2 * x, width - 1)];
+    [width, height, pixels] = [w, h, new Uint8Array(half.buffer)];
+  }
+  const texture = gl.createTexture();
+  gl.activeTexture(gl.TEXTURE0 + units.length);
+  gl.bindTexture(gl.TEXTURE_2D, texture);
+  gl.texImage2D(gl.TEXTURE_2D, 0, gl.SRGB8_ALPHA8, width, height, 0, gl.RGBA, gl.UNSIGNED_BYTE, pixels);
+  gl.generateMipmap(gl.TEXTURE_2D);
+  gl.texParameteri(gl.TEXTURE_2D, gl.TEXTURE_MIN_FILTER, gl.LINEAR_MIPMAP_LINEAR);
+  return texture;
+}
+function makeTarget(gl, color, depth = null) {
+  const target = gl.createFramebuffer();
+  gl.bindFramebuffer(gl.FRAMEBUFFER, target);
+  if (color) gl.framebufferTexture2D(gl.FRAMEBUFFER, gl.COLOR_ATTACHMENT0, gl.TEXTURE_2D, color, 0);
+  else gl.drawBuffers([gl.NONE]);
+  if (depth) gl.framebufferTexture2D(gl.FRAMEBUFFER, gl.DEPTH_ATTACHMENT, gl.TEXTURE_2D, depth, 0);
+  return target;
+}
+var samplePlaces = [
+  [0.375, 0.125],
+  [0.875, 0.375],
+  [0.125, 0.625],
+  [0.625, 0.875]
+];
+var Picture = class {
+  constructor(gl, width, height, isFine) {
+    this.gl = gl;
+    this.width = width;
+    this.height = height;
+    this.isFine = isFine;
+    const samples = isFine ? 0 : samplePlaces.length;
+    this.drawn = gl.createFramebuffer();
+    gl.bindFramebuffer(gl.FRAMEBUFFER, this.drawn);
+    this.buffers = [
+      [gl.SRGB8_ALPHA8, gl.COLOR_ATTACHMENT0],
+      [gl.DEPTH_COMPONENT24, gl.DEPTH_ATTACHMENT]
+    ].map(([format, place]) => {
+      const buffer2 = gl.createRenderbuffer();
+      gl.bindRenderbuffer(gl.RENDERBUFFER, buffer2);
+      gl.renderbufferStorageMultisample(gl.RENDERBUFFER, samples, format, width, height);
+      gl.framebufferRenderbuffer(gl.FRAMEBUFFER, place, gl.RENDERBUFFER, buffer2);
+      return buffer2;
+    });
+    this.resolved = (isFine ? samplePlaces : [0]).map(() => makeTexture(gl, gl.SRGB8_ALPHA8, width, height));
+    this.targets = this.resolved.map((texture) => makeTarget(gl, texture));
+  }
+  gl;
+  width;
+  height;
+  isFine;
+  /** One texture, or one for each sample. */
+  resolved;
+  drawn;
+  buffers;
+  targets;
+  begin() {
+    const gl = this.gl;
+    gl.bindFramebuffer(gl.FRAMEBUFFER, this.drawn);
+    gl.viewport(0, 0, this.width, this.height);
+    gl.clearDepth(1);
+    gl.clear(gl.DEPTH_BUFFER_BIT | gl.COLOR_BUFFER_BIT);
+  }
+  /** Copies what is drawn into a texture of `resolved`. */
+  end(sample) {
+    const gl = this.gl;
+    gl.bindFramebuffer(gl.READ_FRAMEBUFFER, this.drawn);
+    gl.bindFramebuffer(gl.DRAW_FRAMEBUFFER, this.targets[sample]);
+    const { width, height } = this;
+    gl.blitFramebuffer(0, 0, width, height, 0, 0, width, height, gl.COLOR_BUFFER_BIT, gl.NEAREST);
+  }
+  delete() {
+    const gl = this.gl;
+    gl.deleteFramebuffer(this.drawn);
+    for (const target of this.targets) gl.deleteFramebuffer(target);
+    for (const texture of this.resolved) gl.deleteTexture(texture);
+    for (const buffer2 of this.buffers) gl.deleteRenderbuffer(buffer2);
+  }
+};
+
+// src/render/tree.ts
+var groupBlades = 32;
+var classes = [
+  { segments: 2, pixels: 5, columns: 2 },
+  { segments: 4, pixels: 26, columns: 2 },
+  { segments: 8, pixels: 120, columns: 3 },
+  { segments: 16, pixels: Infinity, columns: 3 }
+];
+var lodShare = (pixels, threshold) => Math.min(Math.max(pixels / threshold, 1 / 256), lodFullShare);
+var PatchTree = class {
+  constructor(field) {
+    this.field = field;
+    const patches = field.patches;
+    this.ribbons = Math.max(0, ...field.species.map((one) => ribbonsOf(one.organs)));
+    this.widest = new Float32Array(patches.count);
+    this.rankBelow = new Float32Array(patches.count).fill(1);
+    this.queue = new Uint32Array(patches.count);
+    const f = patches.floats;
+    for (let p = patches.count - 1; p >= 0; --p) {
+      const at = p * patchWords;
+      const own = patches.bladeCount(p) > 0 ? f[at + patchWord.widthLow] + 63 * f[at + patchWord.widthStep] : 0;
+      this.widest[p] = Math.max(this.widest[p], own);
+      if (p === 0) continue;
+      const parent = patches.parent(p);
+      this.widest[parent] = Math.max(this.widest[parent], this.widest[p]);
+      const rank = patches.bladeCount(p) > 0 ? f[at + patchWord.rankLow] : 1;
+      this.rankBelow[parent] = Math.min(this.rankBelow[parent], rank, this.rankBelow[p]);
+    }
+  }
+  field;
+  /** Largest full width of a blade in each subtree [m]. */
+  widest;
+  /** The lowest rank below each node; 1 if there is none. */
+  rankBelow;
+  queue;
+  /** Ribbons of a plant at most. */
+  ribbons;
+  /** Distance [m] of the eye from a patch's box. */
+  distance(view, at) {
+    const f = this.field.patches.floats;
+    let square = 0;
+    for (let i = 0; i < 3; ++i) {
+      const off = Math.max(
+        f[at + patchWord.boundsLow + i] - view.eye[i],
+        view.eye[i] - f[at + patchWord.boundsHigh + i],
+        0
+      );
+      square += off * off;
+    }
+    return Math.sqrt(square);
+  }
+  shareAt(view, distance) {
+    if (view.lodThreshold <= 0) return lodFullShare;
+    return lodShare(view.lodWidth * view.pixelsPerUnit / Math.max(distance, 1e-6), view.lodThreshold);
+  }
+  /** Whether no blade of a subtree is in the view. */
+  isOutside(view, p, nearest) {
+    if (nearest > view.drawDistance) return true;
+    const f = this.field.patches.floats;
+    const at = p * patchWords;
+    let square = 0;
+    let thinnest = Infinity;
+    for (let i = 0; i < 3; ++i) {
+      const low = f[at + patchWord.boundsLow + i];
+      const high = f[at + patchWord.boundsHigh + i];
+      const far = Math.max(Math.abs(low - view.eye[i]), Math.abs(high - view.eye[i]));
+      square += far * far;
+      thinnest = Math.min(thinnest, high - low);
+    }
+    const farthest2 = Math.sqrt(square);
+    const margin = 0.5 * outlineMost * this.widest[p] / (0.95 * this.shareAt(view, farthest2)) + view.minWidth * farthest2 + (maxHeightCompensation - 1) * 0.5 * thinnest;
+    for (const plane of view.planes) {
+      let sum = plane[3];
+      for (let i = 0; i < 3; ++i)
+        sum += plane[i] * (plane[i] >= 0 ? f[at + patchWord.boundsHigh + i] + margin : f[at + patchWord.boundsLow + i] - margin);
+      if (sum < 0) return true;
+    }
+    return false;
+  }
+  /** The groups of blades that a view may show. `most`: blades at most. */
+  groupsOf(view, most, oneClass = -1) {
+    const patches = this.field.patches;
+    const f = patches.floats;
+    const lists = classes.map(() => []);
+    const wanted = [];
+    let blades = 0;
+    let end = 0;
+    if (patches.count > 0) this.queue[end++] = 0;
+    for (let next = 0; next < end; ++next) {
+      const p = this.queue[next];
+      const at = p * patchWords;
+      const nearest = this.distance(view, at);
+      if (this.isOutside(view, p, nearest)) continue;
+      const share = this.shareAt(view, nearest);
+      if (share > this.rankBelow[p]) {
+        const first = patches.firstChild(p);
+        for (let i = 0; i < patches.childCount(p); ++i) this.queue[end++] = first + i;
+      }
+      const own = patches.bladeCount(p);
+      const low = f[at + patchWord.rankLow];
+      const high = f[at + patchWord.rankHigh];
+      if (own === 0 || share <= low) continue;
+      const thick = share >= high ? own : Math.ceil((share - low) / (high - low) * own) + 1;
+      const count = Math.min(thick + this.ribbons, own);
+      const begin = patches.firstBlade(p);
+      if (!this.field.has(begin, count)) {
+        for (const page of pagesOf(begin, count))
+          if (this.field.isMissing(page)) wanted.push({ page, distance: nearest * (1 + low) });
+        continue;
+      }
+      if (blades + count > most) continue;
+      blades += count;
+      const height = f[at + patchWord.heightLow] + 255 * f[at + patchWord.heightStep];
+      const pixels = height * view.pixelsPerUnit / Math.max(nearest, 1e-6);
+      const kind = oneClass >= 0 ? oneClass : classes.findIndex((one) => pixels <= one.pixels);
+      for (let i = 0; i < count; i += groupBlades) lists[kind].push(p, i, Math.min(groupBlades, count - i));
+    }
+    const begins = [0];
+    for (const list of lists) begins.push(begins[begins.length - 1] + list.length / 3);
+    const words = new Uint32Array(3 * begins[classes.length]);
+    lists.forEach((list, i) => words.set(list, 3 * begins[i]));
+    wanted.sort((a, b) => a.distance - b.distance);
+    return { words, begins, blades, missing: [...new Set(wanted.map((one) => one.page))] };
+  }
+};
+var pageBlades2 = 1024;
+function* pagesOf(first, count) {
+  for (let p = Math.floor(first / pageBlades2); p <= Math.floor((first + count - 1) / pageBlades2); ++p) yield p;
+}
+function meanBladeSize(patches) {
+  const f = patches.floats;
+  let height = 0;
+  let width = 0;
+  let count = 0;
+  for (let p = 0; p < patches.count; ++p) {
+    const at = p * patchWords;
+    const own = patches.bladeCount(p);
+    height += own * (f[at + patchWord.heightLow] + 127.5 * f[at + patchWord.heightStep]);
+    width += own * (f[at + patchWord.widthLow] + 31.5 * f[at + patchWord.widthStep]);
+    count += own;
+  }
+  return count > 0 ? { height: height / count, width: width / count } : { height: 0.3, width: 0.01 };
+}
+
+// src/render/renderer.ts
+var captured = ["recordV0", "recordV1", "recordV2", "recordSurface", "recordFrame", "recordBend"];
+var recordBytes = 16 * captured.length;
+var patchTexels = 7;
+var patchesOfRow = 256;
+var shadowClass = 1;
+var usualMax = 4e5;
+var Renderer = class {
+  /** `cover`: what `sward export` wrote into field.cover; without it blades do not shade one another. */
+  constructor(canvas, field, cover = noCover) {
+    this.canvas = canvas;
+    this.field = field;
+    const gl = canvas.getContext("webgl2", {
+      antialias: false,
+      alpha: false,
+      depth: false,
+      powerPreference: "high-performance"
+    });
+    if (!gl) fail("unsupported", "this browser has no WebGL 2, or its graphics driver is blocked");
+    this.gl = gl;
+    this.tree = new PatchTree(field);
+    this.scene = sceneOf(field, cover);
+    this.restore();
+  }
+  canvas;
+  field;
+  scene;
+  gl;
+  tree;
+  parts;
+  lodThreshold = frameSettings.lodThreshold;
+  /** Makes all that lies on the device, first or after the device was lost. */
+  restore() {
+    this.parts = new Parts(this.gl, this.field, this.scene);
+  }
+  /** The sun as the viewer has it by default. */
+  get usualLight() {
+    const up = unit(scaled(this.field.defaults.gravity.direction, -1));
+    return { ...usualLight, sunDirection: turnedWith(up, usualLight.sunDirection) };
+  }
+  /** Draws a picture as large as the canvas. */
+  draw(input) {
+    const { canvas, field, scene } = this;
+    const view = viewOf(input.camera, field.origin, canvas.width, canvas.height, scene.content);
+    const frame = {
+      view,
+      camera: input.camera,
+      light: input.light ?? this.usualLight,
+      wind: input.wind ?? 1,
+      time: input.time,
+      shadowDistance: shadowDistanceOf(scene),
+      lodThreshold: this.lodThreshold
+    };
+    const treeView = {
+      eye: view.eye,
+      planes: view.planes,
+      drawDistance: field.defaults.drawDistance,
+      pixelsPerUnit: view.pixelsPerUnit,
+      lodThreshold: this.lodThreshold,
+      lodWidth: scene.bladeWidth,
+      minWidth: minWidthOf(view)
+    };
+    this.parts.uploadPages();
+    const most = input.maxBlades ?? usualMax;
+    const groups = this.tree.groupsOf(treeView, Infinity);
+    if (groups.blades > most) this.lodThreshold *= 1.1;
+    else if (this.lodThreshold > frameSettings.lodThreshold && groups.blades < 0.7 * most)
+      this.lodThreshold = Math.max(this.lodThreshold / 1.1, frameSettings.lodThreshold);
+    const rows = shadowRows(view, input.camera, frame.light.sunDirection, frame.shadowDistance);
+    const casters = frame.light.sunColor[0] > 0 ? this.tree.groupsOf({ ...treeView, planes: shadowPlanes(rows), minWidth: 0 }, 6e4, shadowClass) : void 0;
+    this.parts.draw(frame, groups, casters, shadowPlanes(rows), input.elapsed, canvas.width, canvas.height, input.isFine ?? false);
+    return { blades: groups.blades, missing: groups.missing };
+  }
+  /** Records of the blades that the last draw() posed; 24 words each. For tests. */
+  readRecords() {
+    return this.parts.readRecords();
+  }
+  get isLost() {
+    return this.gl.isContextLost();
+  }
+};
+function shadowDistanceOf(scene) {
+  return Math.min(8, 24 * scene.bladeHeight);
+}
+function boxOf(field) {
+  const ground = { low: [Infinity, Infinity, Infinity], high: [-Infinity, -Infinity, -Infinity] };
+  const vertices = field.ground.vertices;
+  const floats = new Float32Array(vertices.buffer, vertices.byteOffset, vertices.length / 4);
+  for (let v = 0; v < field.ground.vertexCount; ++v)
+    for (let i = 0; i < 3; ++i) {
+      ground.low[i] = Math.min(ground.low[i], floats[7 * v + i]);
+      ground.high[i] = Math.max(ground.high[i], floats[7 * v + i]);
+    }
+  const content = { low: [...ground.low], high: [...ground.high] };
+  if (field.patches.count > 0)
+    for (let i = 0; i < 3; ++i) {
+      content.low[i] = Math.min(content.low[i], field.patches.floats[i]);
+      content.high[i] = Math.max(content.high[i], field.patches.floats[4 + i]);
+    }
+  return { content, ground };
+}
+function sceneOf(field, cover) {
+  const { content, ground } = boxOf(field);
+  const gravity = field.defaults.gravity;
+  const up = unit(scaled(gravity.direction, -1));
+  const blade = meanBladeSize(field.patches);
+  return {
+    field,
+    cover,
+    content,
+    groundBox: ground,
+    floor: gravity.blend === 0 ? floorOf(field.ground, up) : noFloor,
+    bladeWidth: blade.width,
+    bladeHeight: blade.height,
+    exposure: chosenExposure(field.ground, cover, field.bladeCount > 0)
+  };
+}
+var Parts = class {
+  constructor(gl, field, scene) {
+    this.gl = gl;
+    this.field = field;
+    this.scene = scene;
+    const programs = {
+      move: new Program(gl, "move", moveVert, moveFrag),
+      pose: new Program(gl, "pose", poseVert, nothingFrag, captured),
+      blade: new Program(gl, "blade", bladeVert, bladeFrag),
+      ground: new Program(gl, "ground", groundVert, groundFrag),
+      sky: new Program(gl, "sky", skyVert, skyFrag),
+      film: new Program(gl, "film", filmVert, filmFrag),
+      sun: new Program(gl, "sun", sunVert, nothingFrag),
+      bladeShadow: new Program(gl, "blade shadow", bladeShadowVert, bladeShadowFrag)
+    };
+    this.move = programs.move.finish();
+    this.pose = programs.pose.finish();
+    this.blade = programs.blade.finish();
+    this.ground = programs.ground.finish();
+    this.sky = programs.sky.finish();
+    this.film = programs.film.finish();
+    this.sun = programs.sun.finish();
+    this.bladeShadow = programs.bladeShadow.finish();
+    this.uploaded = new Uint8Array(field.pageCount);
+    this.stateRows = Math.max(Math.ceil(field.bladeCount / tableWidth), 1);
+    const most = gl.getParameter(gl.MAX_TEXTURE_SIZE);
+    if (this.stateRows > most)
+      fail("unsupported", `${field.name}: ${field.bladeCount} blades, more than ${most * tableWidth} on this device`);
+    this.blades = makeTexture(gl, gl.RGBA32UI, tableWidth, this.stateRows);
+    this.states = [0, 1].map(() => makeTexture(gl, gl.R32UI, tableWidth, this.stateRows));
+    this.stateTargets = this.states.map((states) => {
+      const target = makeTarget(gl, states);
+      gl.clearBufferuiv(gl.COLOR, 0, [unsettledTurn, 0, 0, 0]);
+      return target;
+    });
+    this.patches = patchTable(gl, field);
+    this.cover = wordTable(gl, scene.cover.corners);
+    this.sunMap = makeTexture(gl, gl.DEPTH_COMPONENT24, sunMapSize, sunMapSize);
+    this.sunTarget = makeTarget(gl, null, this.sunMap);
+    this.shadowMap = makeTexture(gl, gl.RG32UI, bladeShadowTexels, bladeShadowTexels);
+    const shadowDepth = makeTexture(gl, gl.DEPTH_COMPONENT24, bladeShadowTexels, bladeShadowTexels);
+    this.shadowTarget = makeTarget(gl, this.shadowMap, shadowDepth);
+    this.frame = gl.createBuffer();
+    this.looks = gl.createBuffer();
+    gl.bindBuffer(gl.UNIFORM_BUFFER, this.looks);
+    gl.bufferData(gl.UNIFORM_BUFFER, looksBlock(field).bytes, gl.STATIC_DRAW);
+    this.groupBuffer = gl.createBuffer();
+    this.groupArray = gl.createVertexArray();
+    this.records = gl.createBuffer();
+    this.feedback = gl.createTransformFeedback();
+    this.ribbonArray = gl.createVertexArray();
+    this.indices = classes.map(({ segments, columns }) => ribbonIndices(gl, segments, columns));
+    this.nothing = gl.createVertexArray();
+    this.groundArray = groundArrayOf(gl, field);
+    const white = imageTexture(gl);
+    const images = field.ground.images.map((image) => imageTexture(gl, image));
+    this.groundParts = field.ground.ranges.filter((range) => range.level === 0 && range.indexCount > 0).map((range) => {
+      const material = field.ground.materials[range.material];
+      return {
+        first: range.firstIndex,
+        count: range.indexCount,
+        color: material.baseColor.slice(0, 3),
+        isDoubleSided: material.isDoubleSided,
+        image: images[material.image] ?? white
+      };
+    });
+    gl.bindVertexArray(null);
+    gl.enable(gl.DEPTH_TEST);
+    gl.depthFunc(gl.LEQUAL);
+  }
+  gl;
+  field;
+  scene;
+  move;
+  pose;
+  blade;
+  ground;
+  sky;
+  film;
+  sun;
+  bladeShadow;
+  blades;
+  states;
+  stateTargets;
+  stateRows;
+  patches;
+  cover;
+  sunMap;
+  sunTarget;
+  shadowMap;
+  shadowTarget;
+  frame;
+  looks;
+  groupBuffer;
+  groupArray;
+  records;
+  feedback;
+  ribbonArray;
+  indices;
+  groundArray;
+  groundParts;
+  nothing;
+  uploaded;
+  picture;
+  recordRoom = 0;
+  recordCount = 0;
+  newest = 0;
+  sunOf = "";
+  /** Copies the pages that have come to the device. */
+  uploadPages() {
+    const { gl, field } = this;
+    if (field.presentPages === 0) return;
+    const words = pageBlades * bladeWords;
+    gl.activeTexture(gl.TEXTURE0);
+    gl.bindTexture(gl.TEXTURE_2D, this.blades);
+    for (let page = 0; page < field.pageCount; ++page) {
+      if (this.uploaded[page] || !field.has(page * pageBlades, 1)) continue;
+      let end = page + 1;
+      if (page % 2 === 0)
+        while (end < field.pageCount && !this.uploaded[end] && field.has(end * pageBlades, 1)) ++end;
+      let data = field.packed.subarray(page * words, end * words);
+      const width = end - page > 1 ? tableWidth : pageBlades;
+      const rows = Math.ceil((end - page) / 2);
+      if (data.length < width * rows * bladeWords) {
+        const padded = new Uint32Array(width * rows * bladeWords);
+        padded.set(data);
+        data = padded;
+      }
+      const x = page % 2 * pageBlades;
+      gl.texSubImage2D(gl.TEXTURE_2D, 0, x, page >> 1, width, rows, gl.RGBA_INTEGER, gl.UNSIGNED_INT, data);
+      this.uploaded.fill(1, page, end);
+    }
+  }
+  draw(input, groups, casters, sunPlanes, elapsed, width, height, isFine) {
+    const { gl } = this;
+    const block = frameBlock(this.scene, input);
+    this.setFrame(block);
+    bindTexture(gl, "bladeTexture", this.blades);
+    bindTexture(gl, "patchTexture", this.patches);
+    bindTexture(gl, "coverTexture", this.cover);
+    bindTexture(gl, "sunTexture", this.sunMap);
+    bindTexture(gl, "bladeShadowTexture", this.shadowMap);
+    gl.disable(gl.BLEND);
+    this.drawSunMap(input.light.sunDirection);
+    this.setGroups(groups);
+    this.moveBlades(groups, elapsed);
+    gl.bindFramebuffer(gl.FRAMEBUFFER, this.shadowTarget);
+    gl.clearBufferuiv(gl.COLOR, 0, [0, 0, 0, 0]);
+    if (casters) {
+      const bySun = frameBlock(this.scene, input);
+      sunPlanes.forEach((plane, i) => bySun.floats(`view.planes[${i}]`, plane));
+      bySun.floats("view.minWidth", [0]);
+      bySun.words("view.cullMask", [cullDistance | cullFrustum | leaveThinned]);
+      this.setFrame(bySun);
+      this.setGroups(casters);
+      this.poseBlades(casters);
+      gl.bindFramebuffer(gl.FRAMEBUFFER, this.shadowTarget);
+      gl.viewport(0, 0, bladeShadowTexels, bladeShadowTexels);
+      gl.clearBufferfv(gl.DEPTH, 0, [1]);
+      this.drawRibbons(this.bladeShadow, casters);
+      this.setFrame(block);
+      this.setGroups(groups);
+    }
+    this.poseBlades(groups);
+    let picture = this.picture;
+    if (!picture || picture.width !== width || picture.height !== height || picture.isFine !== isFine) {
+      picture?.delete();
+      picture = this.picture = new Picture(gl, width, height, isFine);
+    }
+    picture.resolved.forEach((_, sample) => {
+      const place = isFine ? samplePlaces[sample] : [0.5, 0.5];
+      const jitter = [(2 * place[0] - 1) / width, (2 * place[1] - 1) / height];
+      picture.begin();
+      this.ground.use();
+      gl.uniform2fv(this.ground.place("jitter"), jitter);
+      this.drawGround();
+      this.blade.use();
+      gl.uniform2fv(this.blade.place("jitter"), jitter);
+      gl.uniform1ui(this.blade.place("samples"), picture.resolved.length);
+      gl.uniform1ui(this.blade.place("sampleOfPixel"), sample);
+      this.drawRibbons(this.blade, groups);
+      this.sky.use();
+      gl.bindVertexArray(this.nothing);
+      gl.drawArrays(gl.TRIANGLES, 0, 3);
+      picture.end(sample);
+    });
+    gl.bindFramebuffer(gl.FRAMEBUFFER, null);
+    gl.viewport(0, 0, width, height);
+    gl.disable(gl.DEPTH_TEST);
+    for (const [i, unit2] of ["resolved", "resolved1", "resolved2", "resolved3"].entries())
+      bindTexture(gl, unit2, picture.resolved[i] ?? picture.resolved[0]);
+    this.film.use();
+    gl.uniform1i(this.film.place("hasSamples"), isFine ? 1 : 0);
+    gl.drawArrays(gl.TRIANGLES, 0, 3);
+    gl.enable(gl.DEPTH_TEST);
+    gl.bindVertexArray(null);
+  }
+  readRecords() {
+    const { gl } = this;
+    const words = new Uint32Array(recordBytes / 4 * this.recordCount);
+    gl.bindBuffer(gl.COPY_READ_BUFFER, this.records);
+    gl.getBufferSubData(gl.COPY_READ_BUFFER, 0, words);
+    gl.bindBuffer(gl.COPY_READ_BUFFER, null);
+    return words;
+  }
+  setFrame(block) {
+    const { gl } = this;
+    gl.bindBuffer(gl.UNIFORM_BUFFER, this.frame);
+    gl.bufferData(gl.UNIFORM_BUFFER, block.bytes, gl.DYNAMIC_DRAW);
+    gl.bindBufferBase(gl.UNIFORM_BUFFER, 0, this.frame);
+    gl.bindBufferBase(gl.UNIFORM_BUFFER, 1, this.looks);
+  }
+  /** The ground as the sun sees it, when the sun has moved. */
+  drawSunMap(sun) {
+    const { gl } = this;
+    if (this.sunOf === sun.join()) return;
+    this.sunOf = sun.join();
+    gl.bindFramebuffer(gl.FRAMEBUFFER, this.sunTarget);
+    gl.viewport(0, 0, sunMapSize, sunMapSize);
+    gl.clear(gl.DEPTH_BUFFER_BIT);
+    this.sun.use();
+    gl.bindVertexArray(this.groundArray);
+    for (const part of this.groundParts) gl.drawElements(gl.TRIANGLES, part.count, gl.UNSIGNED_INT, 4 * part.first);
+  }
+  setGroups(groups) {
+    const { gl } = this;
+    gl.bindVertexArray(this.groupArray);
+    gl.bindBuffer(gl.ARRAY_BUFFER, this.groupBuffer);
+    gl.bufferData(gl.ARRAY_BUFFER, groups.words, gl.DYNAMIC_DRAW);
+    gl.enableVertexAttribArray(0);
+    gl.vertexAttribDivisor(0, 1);
+  }
+  /** Draws a point for each blade of the groups of some classes. */
+  drawGroups(begin, end) {
+    const { gl } = this;
+    gl.vertexAttribIPointer(0, 3, gl.UNSIGNED_INT, 12, 12 * begin);
+    gl.drawArraysInstanced(gl.POINTS, 0, groupBlades, end - begin);
+  }
+  moveBlades(groups, elapsed) {
+    const { gl } = this;
+    const all = groups.begins[classes.length];
+    if (all === 0) return;
+    bindTexture(gl, "stateTexture", this.states[this.newest]);
+    this.newest = 1 - this.newest;
+    gl.bindFramebuffer(gl.FRAMEBUFFER, this.stateTargets[this.newest]);
+    gl.viewport(0, 0, tableWidth, this.stateRows);
+    gl.disable(gl.DEPTH_TEST);
+    this.move.use();
+    gl.uniform1f(this.move.place("elapsed"), elapsed);
+    gl.uniform1f(this.move.place("stateRows"), this.stateRows);
+    gl.bindVertexArray(this.groupArray);
+    gl.bindBuffer(gl.ARRAY_BUFFER, this.groupBuffer);
+    this.drawGroups(0, all);
+    gl.enable(gl.DEPTH_TEST);
+  }
+  poseBlades(groups) {
+    const { gl } = this;
+    const all = groups.begins[classes.length];
+    this.recordCount = all * groupBlades;
+    if (all === 0) return;
+    if (this.recordRoom < this.recordCount) {
+      this.recordRoom = Math.ceil(1.25 * all) * groupBlades;
+      gl.bindBuffer(gl.COPY_WRITE_BUFFER, this.records);
+      gl.bufferData(gl.COPY_WRITE_BUFFER, this.recordRoom * recordBytes, gl.DYNAMIC_COPY);
+      gl.bindBuffer(gl.COPY_WRITE_BUFFER, null);
+    }
+    bindTexture(gl, "stateTexture", this.states[this.newest]);
+    this.pose.use();
+    gl.bindVertexArray(this.groupArray);
+    gl.bindBuffer(gl.ARRAY_BUFFER, this.groupBuffer);
+    gl.bindTransformFeedback(gl.TRANSFORM_FEEDBACK, this.feedback);
+    gl.enable(gl.RASTERIZER_DISCARD);
+    classes.forEach(({ segments }, i) => {
+      const [begin, end] = [groups.begins[i], groups.begins[i + 1]];
+      if (begin === end) return;
+      const step = recordBytes * groupBlades;
+      gl.bindBufferRange(gl.TRANSFORM_FEEDBACK_BUFFER, 0, this.records, begin * step, (end - begin) * step);
+      gl.uniform1f(this.pose.place("maxSegments"), segments);
+      gl.beginTransformFeedback(gl.POINTS);
+      this.drawGroups(begin, end);
+      gl.endTransformFeedback();
+    });
+    gl.bindBufferBase(gl.TRANSFORM_FEEDBACK_BUFFER, 0, null);
+    gl.bindTransformFeedback(gl.TRANSFORM_FEEDBACK, null);
+    gl.disable(gl.RASTERIZER_DISCARD);
+  }
+  drawRibbons(program, groups) {
+    const { gl } = this;
+    program.use();
+    gl.bindVertexArray(this.ribbonArray);
+    gl.bindBuffer(gl.ARRAY_BUFFER, this.records);
+    classes.forEach(({ segments, columns }, i) => {
+      const [begin, end] = [groups.begins[i], groups.begins[i + 1]];
+      if (begin === end) return;
+      for (let attribute = 0; attribute < captured.length; ++attribute) {
+        gl.enableVertexAttribArray(attribute);
+        gl.vertexAttribDivisor(attribute, 1);
+        const at = begin * groupBlades * recordBytes + 16 * attribute;
+        gl.vertexAttribIPointer(attribute, 4, gl.UNSIGNED_INT, recordBytes, at);
+      }
+      gl.bindBuffer(gl.ELEMENT_ARRAY_BUFFER, this.indices[i]);
+      gl.uniform1ui(program.place("columns"), columns);
+      const count = 6 * segments * (columns - 1);
+      gl.drawElementsInstanced(gl.TRIANGLES, count, gl.UNSIGNED_SHORT, 0, (end - begin) * groupBlades);
+    });
+  }
+  drawGround() {
+    const { gl } = this;
+    this.ground.use();
+    gl.bindVertexArray(this.groundArray);
+    for (const part of this.groundParts) {
+      bindTexture(gl, "baseColor", part.image);
+      gl.uniform3fv(this.ground.place("materialColor"), part.color);
+      gl.uniform1i(this.ground.place("isDoubleSided"), part.isDoubleSided ? 1 : 0);
+      gl.drawElements(gl.TRIANGLES, part.count, gl.UNSIGNED_INT, 4 * part.first);
+    }
+  }
+};
+function patchTable(gl, field) {
+  const rows = Math.max(Math.ceil(field.patches.count / patchesOfRow), 1);
+  const width = patchTexels * patchesOfRow;
+  const texels = new Uint32Array(4 * width * rows);
+  for (let p = 0; p < field.patches.count; ++p)
+    texels.set(field.patches.words.subarray(p * patchWords, (p + 1) * patchWords), 4 * patchTexels * p);
+  const texture = makeTexture(gl, gl.RGBA32UI, width, rows);
+  gl.texSubImage2D(gl.TEXTURE_2D, 0, 0, 0, width, rows, gl.RGBA_INTEGER, gl.UNSIGNED_INT, texels);
+  return texture;
+}
+function ribbonIndices(gl, segments, columns) {
+  const list = [];
+  for (let row = 0; row < segments; ++row)
+    for (let column = 0; column + 1 < columns; ++column) {
+      const first = row * columns + column;
+      const above = first + columns;
+      list.push(first, first + 1, above, above, first + 1, above + 1);
+    }
+  const buffer2 = gl.createBuffer();
+  gl.bindVertexArray(null);
+  gl.bindBuffer(gl.ELEMENT_ARRAY_BUFFER, buffer2);
+  gl.bufferData(gl.ELEMENT_ARRAY_BUFFER, new Uint16Array(list), gl.STATIC_DRAW);
+  return buffer2;
+}
+function groundArrayOf(gl, field) {
+  const array = gl.createVertexArray();
+  gl.bindVertexArray(array);
+  gl.bindBuffer(gl.ARRAY_BUFFER, gl.createBuffer());
+  gl.bufferData(gl.ARRAY_BUFFER, field.ground.vertices, gl.STATIC_DRAW);
+  for (let i = 0; i < 4; ++i) gl.enableVertexAttribArray(i);
+  gl.vertexAttribPointer(0, 3, gl.FLOAT, false, groundVertexBytes, 0);
+  gl.vertexAttribIPointer(1, 1, gl.UNSIGNED_INT, groundVertexBytes, 12);
+  gl.vertexAttribPointer(2, 2, gl.FLOAT, false, groundVertexBytes, 16);
+  gl.vertexAttribPointer(3, 4, gl.UNSIGNED_BYTE, true, groundVertexBytes, 24);
+  gl.bindBuffer(gl.ELEMENT_ARRAY_BUFFER, gl.createBuffer());
+  gl.bufferData(gl.ELEMENT_ARRAY_BUFFER, field.ground.indices, gl.STATIC_DRAW);
+  gl.bindVertexArray(null);
+  return array;
+}
+
+// src/page/controls.ts
+var eyeHeight = 1.7;
+var moves = {
+  KeyW: [2, 1],
+  ArrowUp: [2, 1],
+  KeyS: [2, -1],
+  ArrowDown: [2, -1],
+  KeyA: [0, -1],
+  ArrowLeft: [0, -1],
+  KeyD: [0, 1],
+  ArrowRight: [0, 1],
+  KeyE: [1, 1],
+  PageUp: [1, 1],
+  KeyQ: [1, -1],
+  PageDown: [1, -1]
+};
+var Controls = class {
+  /**
+   * `reach` [m]: size of what is shown. `heightAt`: of the ground along `up`, at a place relative to the field's
+   * origin. `onChange` is called when something has moved.
+   */
+  constructor(element, camera, up, reach, origin, heightAt, onChange) {
+    this.element = element;
+    this.camera = camera;
+    this.up = up;
+    this.reach = reach;
+    this.origin = origin;
+    this.heightAt = heightAt;
+    this.onChange = onChange;
+    element.addEventListener("pointerdown", (event) => {
+      if (event.isTrusted) element.setPointerCapture(event.pointerId);
+      this.pointers.set(event.pointerId, [event.clientX, event.clientY]);
+      this.pinch = this.spread();
+    });
+    element.addEventListener("pointermove", (event) => this.drag(event));
+    for (const name of ["pointerup", "pointercancel"])
+      element.addEventListener(name, (event) => {
+        this.pointers.delete(event.pointerId);
+        this.pinch = this.spread();
+      });
+    element.addEventListener("contextmenu", (event) => event.preventDefault());
+    element.addEventListener(
+      "wheel",
+      (event) => {
+        event.preventDefault();
+        this.dolly(Math.exp(clamp(event.deltaY, -200, 200) * 2e-3));
+      },
+      { passive: false }
+    );
+    element.addEventListener("keydown", (event) => {
+      this.isFast = event.shiftKey;
+      if (event.ctrlKey || event.metaKey || event.altKey) return;
+      if (event.code === "Equal" || event.code === "NumpadAdd") this.dolly(0.9);
+      else if (event.code === "Minus" || event.code === "NumpadSubtract") this.dolly(1 / 0.9);
+      else if (moves[event.code]) this.held.add(event.code);
+      else return;
+      event.preventDefault();
+      this.onChange();
+    });
+    element.addEventListener("keyup", (event) => {
+      this.isFast = event.shiftKey;
+      this.held.delete(event.code);
+    });
+    element.addEventListener("blur", () => this.held.clear());
+  }
+  element;
+  camera;
+  up;
+  reach;
+  origin;
+  heightAt;
+  onChange;
+  mode = "orbit";
+  held = /* @__PURE__ */ new Set();
+  pointers = /* @__PURE__ */ new Map();
+  pinch = 0;
+  isFast = false;
+  /** Whether keys are held, so that the camera moves with time. */
+  get isMoving() {
+    return this.held.size > 0;
+  }
+  setMode(mode) {
+    this.mode = mode;
+    if (mode === "walk") this.land();
+    this.onChange();
+  }
+  /** Moves the camera by the keys that are held for `seconds`. */
+  step(seconds) {
+    if (this.held.size === 0) return;
+    const way = [0, 0, 0];
+    for (const code of this.held) way[moves[code][0]] += moves[code][1];
+    const { right, forward } = axesOf(this.camera);
+    if (this.mode === "orbit") {
+      this.turnAround(-0.9 * way[0] * seconds, 0.7 * way[2] * seconds);
+      if (way[1] !== 0) this.dolly(Math.exp(-way[1] * seconds));
+      return;
+    }
+    const level = unit(sub(forward, scaled(this.up, dot(forward, this.up))), forward);
+    const ahead = this.mode === "walk" ? level : forward;
+    const speed = (this.mode === "walk" ? 2.5 : 0.15 * this.reach) * (this.isFast ? 3 : 1) * seconds;
+    this.shift(add(add(scaled(right, way[0] * speed), scaled(this.up, way[1] * speed)), scaled(ahead, way[2] * speed)));
+    if (this.mode === "walk") this.stand();
+    this.onChange();
+  }
+  spread() {
+    const [a, b] = [...this.pointers.values()];
+    return a && b ? Math.hypot(a[0] - b[0], a[1] - b[1]) : 0;
+  }
+  drag(event) {
+    const before = this.pointers.get(event.pointerId);
+    if (!before) return;
+    const [dx, dy] = [event.clientX - before[0], event.clientY - before[1]];
+    this.pointers.set(event.pointerId, [event.clientX, event.clientY]);
+    const perPixel = Math.PI / Math.max(this.element.clientHeight, 1);
+    if (this.pointers.size === 2) {
+      const spread = this.spread();
+      if (this.pinch > 0 && spread > 0) this.dolly(this.pinch / spread);
+      this.pinch = spread;
+      this.pan(0.5 * dx, 0.5 * dy);
+    } else if (this.mode === "orbit" && (event.buttons !== 1 || event.shiftKey)) this.pan(dx, dy);
+    else if (this.mode === "orbit") this.turnAround(-dx * perPixel, -dy * perPixel);
+    else this.look(-dx * 0.5 * perPixel, -dy * 0.5 * perPixel);
+  }
+  /** Turns the eye around the target. */
+  turnAround(side, rise) {
+    const { camera, up } = this;
+    let arm = turned(sub(camera.eye, camera.target), up, side);
+    const axis = unit(cross(arm, up), [1, 0, 0]);
+    const angle = Math.acos(clamp(dot(unit(arm), up), -1, 1));
+    arm = turned(arm, axis, angle - clamp(angle + rise, 0.05, 3.09));
+    this.camera = { ...camera, up, eye: this.above(add(camera.target, arm)) };
+    this.onChange();
+  }
+  /** Turns the view around the eye. */
+  look(side, rise) {
+    const { camera, up } = this;
+    let way = turned(sub(camera.target, camera.eye), up, side);
+    const axis = unit(cross(way, up), [1, 0, 0]);
+    const angle = Math.acos(clamp(dot(unit(way), up), -1, 1));
+    way = turned(way, axis, angle - clamp(angle - rise, 0.05, 3.09));
+    this.camera = { ...camera, up, target: add(camera.eye, way) };
+    this.onChange();
+  }
+  /** Brings the eye nearer to the target, or moves it ahead. */
+  dolly(factor) {
+    const { camera } = this;
+    const arm = sub(camera.eye, camera.target);
+    if (this.mode !== "orbit") this.shift(scaled(unit(arm), 0.1 * this.reach * Math.log(factor)));
+    else if (size(arm) * factor > 0.02 && size(arm) * factor < 20 * this.reach)
+      this.camera = { ...camera, eye: this.above(add(camera.target, scaled(arm, factor))) };
+    if (this.mode === "walk") this.stand();
+    this.onChange();
+  }
+  pan(dx, dy) {
+    const { camera } = this;
+    const { right, up } = axesOf(camera);
+    const metres = 2 * size(sub(camera.eye, camera.target)) * Math.tan(camera.fovYDeg * Math.PI / 360) / Math.max(this.element.clientHeight, 1);
+    this.shift(add(scaled(right, -dx * metres), scaled(up, dy * metres)));
+    this.onChange();
+  }
+  shift(way) {
+    this.camera = { ...this.camera, eye: add(this.camera.eye, way), target: add(this.camera.target, way) };
+  }
+  /** The place, lifted above the ground if it lies in it. */
+  above(eye) {
+    const place = sub(eye, this.origin);
+    const ground = this.heightAt(place);
+    const lift = ground === void 0 ? 0 : ground + 0.02 - dot(place, this.up);
+    return lift > 0 && lift < 0.05 * this.reach ? add(eye, scaled(this.up, lift)) : eye;
+  }
+  /** Brings the eye above the ground: where it is, else at the target, else in the middle of the field. */
+  land() {
+    const { camera, up } = this;
+    const isOver = (place) => this.heightAt(sub(place, this.origin)) !== void 0;
+    if (!isOver(camera.eye)) {
+      const to = isOver(camera.target) ? camera.target : this.origin;
+      const level = sub(sub(camera.target, camera.eye), scaled(up, dot(sub(camera.target, camera.eye), up)));
+      this.camera = { ...camera, eye: to, target: add(to, unit(level, [1, 0, 0])) };
+    } else {
+      const way = sub(camera.target, camera.eye);
+      const level = unit(sub(way, scaled(up, dot(way, up))), [1, 0, 0]);
+      this.camera = { ...camera, target: add(camera.eye, level) };
+    }
+    this.stand();
+  }
+  /** Puts the eye as high above the ground as a person's. */
+  stand() {
+    const place = sub(this.camera.eye, this.origin);
+    const ground = this.heightAt(place);
+    if (ground === void 0) return;
+    this.shift(scaled(this.up, ground + eyeHeight - dot(place, this.up)));
+  }
+};
+
+// src/page/ground_height.ts
+var cells = 512;
+var GroundHeight = class {
+  along;
+  across;
+  heights = new Float32Array(cells * cells).fill(NaN);
+  low = [Infinity, Infinity];
+  step = [1, 1];
+  constructor(ground, up) {
+    const side = Math.abs(up[0]) < 0.7 ? [1, 0, 0] : [0, 0, 1];
+    this.along = unit(sub(side, scaled(up, dot(side, up))));
+    this.across = cross(up, this.along);
+    const floats = new Float32Array(ground.vertices.buffer, ground.vertices.byteOffset, ground.vertices.length / 4);
+    const places = new Float32Array(3 * ground.vertexCount);
+    const high = [-Infinity, -Infinity];
+    for (let v = 0; v < ground.vertexCount; ++v) {
+      const p = [floats[7 * v], floats[7 * v + 1], floats[7 * v + 2]];
+      const place = [dot(p, this.along), dot(p, this.across), dot(p, up)];
+      places.set(place, 3 * v);
+      for (const i of [0, 1]) {
+        this.low[i] = Math.min(this.low[i], place[i]);
+        high[i] = Math.max(high[i], place[i]);
+      }
+    }
+    this.step = [0, 1].map((i) => Math.max((high[i] - this.low[i]) / (cells - 1), 1e-6));
+    for (const range of ground.ranges)
+      if (range.level === 0)
+        for (let i = range.firstIndex; i < range.firstIndex + range.indexCount; i += 3)
+          this.fill([0, 1, 2].map((k) => places.subarray(3 * ground.indices[i + k], 3 * ground.indices[i + k] + 3)));
+  }
+  /** Height along `up` at a place, both relative to the field's origin; undefined beside the ground. */
+  at(place) {
+    const x = (dot(place, this.along) - this.low[0]) / this.step[0];
+    const y = (dot(place, this.across) - this.low[1]) / this.step[1];
+    const [i, j] = [Math.floor(x), Math.floor(y)];
+    if (i < 0 || j < 0 || i + 1 >= cells || j + 1 >= cells) return void 0;
+    const [u, v] = [x - i, y - j];
+    const corner = (k, l) => this.heights[(j + l) * cells + i + k];
+    const height = (corner(0, 0) * (1 - u) + corner(1, 0) * u) * (1 - v) + (corner(0, 1) * (1 - u) + corner(1, 1) * u) * v;
+    return Number.isNaN(height) ? void 0 : height;
+  }
+  /** The grid's points below a triangle. */
+  fill(corners) {
+    const [a, b, c] = corners.map((p) => [(p[0] - this.low[0]) / this.step[0], (p[1] - this.low[1]) / this.step[1], p[2]]);
+    const area = (b[0] - a[0]) * (c[1] - a[1]) - (c[0] - a[0]) * (b[1] - a[1]);
+    if (Math.abs(area) < 1e-12) return;
+    const first = (i) => Math.max(Math.ceil(Math.min(a[i], b[i], c[i]) - 1e-6), 0);
+    const last = (i) => Math.min(Math.floor(Math.max(a[i], b[i], c[i]) + 1e-6), cells - 1);
+    for (let y = first(1); y <= last(1); ++y)
+      for (let x = first(0); x <= last(0); ++x) {
+        const v = ((x - a[0]) * (c[1] - a[1]) - (c[0] - a[0]) * (y - a[1])) / area;
+        const w = ((b[0] - a[0]) * (y - a[1]) - (x - a[0]) * (b[1] - a[1])) / area;
+        if (v < -1e-4 || w < -1e-4 || v + w > 1.0001) continue;
+        const height = a[2] + v * (b[2] - a[2]) + w * (c[2] - a[2]);
+        const at = y * cells + x;
+        if (!(this.heights[at] >= height)) this.heights[at] = height;
+      }
+  }
+};
+
+// src/page/panel.ts
+var megabytes = (bytes) => `${(bytes / 1e6).toFixed(1)} MB`;
+function make(name, attributes, ...children) {
+  const element = document.createElement(name);
+  for (const [key, value] of Object.entries(attributes)) element.setAttribute(key, value);
+  element.append(...children);
+  return element;
+}
+var Panel = class {
+  constructor(element, canvas) {
+    this.element = element;
+    this.canvas = canvas;
+    element.classList.add("sward");
+    canvas.tabIndex = 0;
+    canvas.setAttribute("role", "application");
+    canvas.setAttribute(
+      "aria-label",
+      "A field of grass in three dimensions. Arrow keys turn the view, plus and minus come nearer and go away."
+    );
+    element.replaceChildren(canvas, this.message, this.bar);
+    this.say("The field is coming.");
+  }
+  element;
+  canvas;
+  message = make("p", { class: "sward-message", role: "status", "aria-live": "polite" });
+  bar = make("progress", { class: "sward-progress", "aria-label": "Blades that have come", max: "1" });
+  hasFailed = false;
+  /** Shows a text; none if it is empty. */
+  say(text) {
+    if (this.hasFailed) return;
+    this.message.textContent = text;
+    this.message.hidden = text === "";
+  }
+  /** Shows an error instead of anything else. */
+  fail(error) {
+    const text = error instanceof SwardError ? error.message : "The field cannot be shown: something unexpected happened.";
+    if (!(error instanceof SwardError)) console.error(error);
+    this.say(text);
+    this.hasFailed = true;
+    this.message.setAttribute("role", "alert");
+    this.message.classList.add("sward-error");
+    this.bar.hidden = true;
+  }
+  /** Bytes of a file that comes as a whole. */
+  receive(received, total) {
+    this.bar.value = received / Math.max(total, 1);
+    this.say(`${megabytes(received)} of ${megabytes(total)}`);
+  }
+  /** How much of a field is here. */
+  progress(field) {
+    const share = field.pageCount > 0 ? field.presentPages / field.pageCount : 1;
+    this.bar.value = share;
+    this.bar.hidden = share >= 1;
+    if (this.hasFailed) return;
+    this.say(share >= 1 ? "" : `${Math.floor(100 * share)} % of ${field.bladeCount.toLocaleString("en")} blades`);
+  }
+  /** Adds the controls of a view. */
+  control(view) {
+    const modes = [
+      ["orbit", "Orbit", "Drag turns around the field, right drag moves it, the wheel comes nearer"],
+      ["fly", "Fly", "Drag looks around; W A S D or arrows fly, E and Q rise and sink, Shift is faster"],
+      ["walk", "Walk", "Drag looks around; W A S D or arrows walk on the ground"]
+    ];
+    const usable = modes.filter(([mode]) => mode !== "walk" || view.field.defaults.gravity.blend === 0);
+    const buttons = usable.map(([mode, text, title]) => {
+      const button = make("button", { type: "button", title, "aria-pressed": String(mode === "orbit") }, text);
+      button.addEventListener("click", () => {
+        view.setMode(mode);
+        buttons.forEach((other) => other.setAttribute("aria-pressed", String(other === button)));
+        this.canvas.focus();
+      });
+      return button;
+    });
+    const home = make("button", { type: "button", title: "Show all of the field" }, "Home");
+    home.addEventListener("click", () => view.setCamera(view.wholeView()));
+    const slider = (text, low, high, step, value, shown2, set) => {
+      const input = make("input", {
+        type: "range",
+        min: String(low),
+        max: String(high),
+        step: String(step),
+        value: String(value),
+        "aria-label": text,
+        "aria-valuetext": shown2(value)
+      });
+      const output = make("output", {}, shown2(value));
+      input.addEventListener("input", () => {
+        set(input.valueAsNumber);
+        output.textContent = shown2(input.valueAsNumber);
+        input.setAttribute("aria-valuetext", output.textContent);
+        view.change();
+      });
+      return make("label", {}, make("span", {}, text), input, output);
+    };
+    const clock = (hour) => `${Math.floor(hour)}:${String(Math.round(hour % 1 * 60)).padStart(2, "0")}`;
+    const tools = make(
+      "div",
+      { class: "sward-tools", role: "toolbar", "aria-label": "View of the field" },
+      ...buttons,
+      home,
+      slider("Wind", 0, 3, 0.1, view.wind, (x) => `${Math.round(100 * x)} %`, (x) => view.wind = x),
+      slider("Time", 5.25, 18.75, 0.25, view.hour, clock, (x) => view.hour = x),
+      slider("Detail", -2, 2, 0.5, 0, (x) => `×${2 ** x < 1 ? (2 ** x).toFixed(2) : (2 ** x).toFixed(1)}`, (x) => view.detail = 2 ** x)
+    );
+    const cameras = view.field.defaults.cameras;
+    if (cameras.length > 0) {
+      const select = make(
+        "select",
+        { "aria-label": "Saved view" },
+        ...cameras.map((camera, i) => make("option", { value: String(i) }, camera.name))
+      );
+      select.addEventListener("change", () => view.setCamera(cameras[select.selectedIndex]));
+      tools.append(select);
+    }
+    const copyright = view.field.defaults.copyright;
+    this.element.append(tools, ...copyright ? [make("small", { class: "sward-copyright" }, copyright)] : []);
+  }
+};
+
+// src/page/page.ts
+var firstPages = 384;
+var pagesAtOnce = 128;
+var requestsAtOnce = 4;
+var minBlades = 3e4;
+var maxBlades = 2e6;
+var longestFrame = 0.1;
+var rest = 250;
+var FieldView = class {
+  constructor(element, field, renderer, panel, camera) {
+    this.element = element;
+    this.field = field;
+    this.renderer = renderer;
+    this.canvas = renderer.canvas;
+    this.panel = panel;
+    const { content } = renderer.scene;
+    const up = this.up;
+    const isPlanet = field.defaults.gravity.blend > 0;
+    const heights = isPlanet ? void 0 : new GroundHeight(field.ground, up);
+    this.resize();
+    this.controls = new Controls(
+      this.canvas,
+      camera ?? field.defaults.cameras[0] ?? this.wholeView(),
+      up,
+      size(sub(content.high, content.low)),
+      field.origin,
+      (place) => heights?.at(place),
+      () => this.change()
+    );
+    this.observer = new ResizeObserver(() => this.resize());
+    this.observer.observe(this.canvas);
+    this.canvas.addEventListener("webglcontextlost", (event) => {
+      event.preventDefault();
+      this.isLost = true;
+      panel.say("The graphics device was lost. The picture comes back when it does.");
+    });
+    this.canvas.addEventListener("webglcontextrestored", () => {
+      this.renderer.restore();
+      this.isLost = false;
+      panel.say("");
+      this.change();
+    });
+    document.addEventListener("visibilitychange", this.wake);
+    requestAnimationFrame(this.tick);
+  }
+  element;
+  field;
+  renderer;
+  canvas;
+  panel;
+  controls;
+  /** Pictures drawn. */
+  frames = 0;
+  /** Milliseconds from one frame to the next, smoothed. */
+  frameTime = 0;
+  /** Factor of the field's wind. */
+  wind = 1;
+  /** Hour of the day, 5 to 19; at 9 the sun stands as in the viewer. */
+  hour = 9;
+  /** Factor of the number of blades that are drawn at most. */
+  detail = 1;
+  time = 0;
+  last = 0;
+  isDirty = true;
+  changedAt = 0;
+  isRefined = false;
+  requests = 0;
+  budget = 3e5;
+  isLost = false;
+  isStopped = false;
+  observer;
+  stillness = matchMedia("(prefers-reduced-motion: reduce)");
+  /** Up direction of the field, against gravity. */
+  get up() {
+    return unit(scaled(this.field.defaults.gravity.direction, -1));
+  }
+  /** A camera that shows all of the field. */
+  wholeView() {
+    const { renderer, field, canvas } = this;
+    const aspect = canvas.width / canvas.height;
+    return fittingCamera(renderer.scene.content, field.origin, this.up, renderer.usualLight.sunDirection, aspect);
+  }
+  setMode(mode) {
+    this.controls.setMode(mode);
+  }
+  setCamera(camera) {
+    this.controls.camera = camera;
+    this.change();
+  }
+  /** Asks for a new picture: something has changed. */
+  change() {
+    this.isDirty = true;
+    this.isRefined = false;
+    this.changedAt = performance.now();
+  }
+  /** Ends the work in the element. */
+  stop() {
+    this.isStopped = true;
+    this.observer.disconnect();
+    document.removeEventListener("visibilitychange", this.wake);
+  }
+  wake = () => {
+    this.last = 0;
+    this.change();
+  };
+  resize() {
+    const ratio = Math.min(devicePixelRatio || 1, 2);
+    const width = Math.max(Math.round(this.canvas.clientWidth * ratio), 1);
+    const height = Math.max(Math.round(this.canvas.clientHeight * ratio), 1);
+    if (this.canvas.width === width && this.canvas.height === height) return;
+    this.canvas.width = width;
+    this.canvas.height = height;
+    this.change();
+  }
+  tick = (now) => {
+    if (this.isStopped) return;
+    requestAnimationFrame(this.tick);
+    if (this.isLost || document.hidden) return;
+    const since = this.last > 0 ? now - this.last : 0;
+    this.last = now;
+    this.controls.step(Math.min(since / 1e3, longestFrame));
+    const blows = this.wind > 0 && !this.stillness.matches;
+    const isResting = !blows && !this.controls.isMoving && performance.now() - this.changedAt > rest;
+    if (!blows && !this.isDirty && (!isResting || this.isRefined)) return;
+    const elapsed = blows ? Math.min(since / 1e3, longestFrame) : 0;
+    this.isDirty = false;
+    this.isRefined = isResting;
+    this.draw(elapsed, isResting);
+    if (blows && since > 0) this.adapt(since);
+  };
+  draw(elapsed, isFine) {
+    this.time += elapsed;
+    const { azimuth, elevation } = sunAt(this.hour);
+    const stats = this.renderer.draw({
+      camera: this.controls.camera,
+      time: this.time,
+      elapsed,
+      light: this.hour === 9 ? void 0 : lightAt(azimuth, elevation, this.up),
+      wind: this.wind,
+      maxBlades: this.budget * this.detail,
+      isFine
+    });
+    ++this.frames;
+    this.load(stats.missing);
+  }
+  /** Fewer blades where frames take long, more where they do not. */
+  adapt(since) {
+    this.frameTime = this.frameTime === 0 ? since : 0.9 * this.frameTime + 0.1 * since;
+    if (this.frameTime > 45) this.budget = Math.max(0.97 * this.budget, minBlades);
+    else if (this.frameTime < 20) this.budget = Math.min(1.01 * this.budget, maxBlades);
+  }
+  /** Fetches what is visible and not here, then the rest. */
+  load(missing) {
+    const { field, panel } = this;
+    panel.progress(field);
+    if (field.isComplete || this.requests >= requestsAtOnce) return;
+    let wanted = missing.slice(0, pagesAtOnce);
+    for (let page = 0; wanted.length < pagesAtOnce && page < field.pageCount; ++page)
+      if (field.isMissing(page) && !wanted.includes(page)) wanted.push(page);
+    wanted = wanted.sort((a, b) => a - b);
+    if (wanted.length === 0) return;
+    ++this.requests;
+    loadRuns(field, wanted).then(() => this.change()).catch((error) => panel.fail(error)).finally(() => {
+      --this.requests;
+      panel.progress(field);
+    });
+  }
+};
+async function loadRuns(field, pages) {
+  const runs = [];
+  for (const page of pages) {
+    const last = runs[runs.length - 1];
+    if (last && page - last[1] < 4) last[1] = page + 1;
+    else runs.push([page, page + 1]);
+  }
+  for (const [from, to] of runs) await field.loadPages(from, to);
+}
+function sunAt(hour) {
+  const rise = (h) => Math.sin(Math.PI * (h - 5) / 14);
+  return {
+    azimuth: usualSun.azimuth + 15 * (hour - 9),
+    elevation: usualSun.elevation * rise(hour) / rise(9)
+  };
+}
+async function showField(element, options) {
+  const canvas = document.createElement("canvas");
+  const panel = new Panel(element, canvas);
+  try {
+    const field = await openField(options.field, {
+      onProgress: (received, total) => panel.receive(received, total)
+    });
+    panel.progress(field);
+    const [cover] = await Promise.all([
+      options.cover ? coverAt(options.cover) : noCover,
+      field.loadPages(0, Math.min(firstPages, field.pageCount))
+    ]);
+    const renderer = new Renderer(canvas, field, cover);
+    const view = new FieldView(element, field, renderer, panel, options.camera);
+    if (options.panel ?? true) panel.control(view);
+    return view;
+  } catch (error) {
+    panel.fail(error);
+    throw error;
+  }
+}
+async function coverAt(address) {
+  let response;
+  try {
+    response = await fetch(address);
+  } catch {
+    throw new SwardError("io", `${address}: no answer from the server`);
+  }
+  if (!response.ok) throw new SwardError("io", `${address}: the server answers ${response.status}`);
+  return parseCoverFile(await response.arrayBuffer(), address);
+}
 export {
   Field,
+  FieldView,
   Patches,
+  Renderer,
   SwardError,
+  fittingCamera,
+  lightAt,
+  noCover,
   openField,
   pageBlades,
+  parseCoverFile,
   patchWord,
   patchWords,
   readField,
+  showField,
+  usualSun,
   xxh3
 };

@@ -9,17 +9,24 @@
 #include "apps/sward/subcommand.h"
 #include "apps/sward/text/bake_summary.h"
 #include "core/error.h"
+#include "core/files/atomic_file.h"
+#include "core/files/mapped_file.h"
 #include "field/read.h"
+#include "field/write.h"
 #include "interchange/csv.h"
 #include "interchange/gltf.h"
+#include "interchange/page.h"
 #include "interchange/ply.h"
 #include "interchange/usda.h"
 
 #include <CLI/CLI.hpp>
 #include <fmt/core.h>
 
+#include <cstdint>
 #include <filesystem>
 #include <optional>
+#include <string>
+#include <system_error>
 
 namespace sward::apps {
 namespace {
@@ -38,6 +45,25 @@ constexpr Format formats[] = {{".glb", interchange::writeGlb, true, true},
                               {".ply", interchange::writePly, false, false},
                               {".usda", interchange::writeUsda, false, true},
                               {".csv", interchange::writeCsv, false, false}};
+
+/// Whether an output is the folder of a page: its name ends in a slash.
+bool isPage(const std::string& output)
+{
+    return !output.empty() && (output.back() == '/' || output.back() == '\\');
+}
+
+/// Refuses a folder that holds something, unless it may be replaced.
+void checkPage(const std::filesystem::path& folder, bool overwrite)
+{
+    std::error_code ignored;
+    if (!std::filesystem::exists(folder, ignored))
+        return;
+    if (!std::filesystem::is_directory(folder, ignored))
+        fail(ErrorKind::io, "{}: is no folder", folder.string());
+    if (!overwrite && !std::filesystem::is_empty(folder, ignored))
+        fail(ErrorKind::io, "{}: the folder is not empty; --force writes the page into it",
+             folder.string());
+}
 
 const Format& formatOf(const std::filesystem::path& path)
 {
@@ -60,7 +86,8 @@ public:
         app().add_option("FILE", file_, "Field file")->type_name("")->required();
         app()
             .add_option("-o,--output", output_,
-                        "File to write; its extension chooses the format: .glb .ply .usda .csv")
+                        "File to write; its extension chooses the format: .glb .ply .usda .csv; or "
+                        "a folder, NAME/, for a page that shows the field in a browser")
             ->type_name("OUT")
             ->required();
         app().add_flag("--with-ground", settings_.withGround,
@@ -85,6 +112,8 @@ public:
     int run() const override
     {
         log_.apply();
+        if (isPage(output_))
+            return exportPage();
         // Check before any work.
         const Format format = formatOf(output_);
         if (settings_.withGround && !format.hasGround)
@@ -128,6 +157,43 @@ private:
                  output_);
         if (!meshopt_.empty() && !(settings_.compact && format.hasGround))
             fail(ErrorKind::usage, "{}: --meshopt needs --compact and a .glb output", output_);
+    }
+
+    int exportPage() const
+    {
+        const std::filesystem::path folder(output_);
+        if (settings_.withGround)
+            fail(ErrorKind::usage, "{}: --with-ground needs a .glb output", output_);
+        checkPage(folder, settings_.overwrite);
+        requireField(file_);
+        const field::MappedField field = field::readField(file_);
+        interchange::ExportSettings settings = settings_;
+        settings.source = file_;
+        ProgressBar bar(log_.showBar());
+        Progress progress(bar.callback());
+        const CancelOnInterrupt cancel(progress);
+        const std::optional<field::Field> grown =
+            growth_.grownOf(field.view(), 0, file_, "exported", progress);
+        const field::FieldView view = grown ? field::viewOf(*grown) : field.view();
+        std::uint64_t bytes = interchange::writePage(view, folder, settings, progress);
+        const std::filesystem::path copy = folder / "field.sward";
+        if (grown)
+            bytes += field::writeField(*grown, copy, settings_.overwrite);
+        else
+            bytes += copyField(copy);
+        bar.clear();
+        writeResult(fmt::format("{}: {} blades, {}; serve the folder, and open index.html\n",
+                                output_, field::rootedBlades(view), sizeText(bytes)));
+        return 0;
+    }
+
+    std::uint64_t copyField(const std::filesystem::path& copy) const
+    {
+        const MappedFile source(file_);
+        AtomicFile target(copy, settings_.overwrite);
+        target.write(source.bytes());
+        target.commit();
+        return source.bytes().size();
     }
 
     std::string file_;

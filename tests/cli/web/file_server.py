@@ -1,17 +1,20 @@
 """A server of one folder, with or without ranges, for the tests of the npm package."""
 
 import os
+import queue
 import re
 import threading
 from http.server import SimpleHTTPRequestHandler, ThreadingHTTPServer
 
 
 class FolderServer:
-    """Serves `folder` at `address` while it is used as a context. `bytes_sent` counts bodies."""
+    """Serves `folder` at `address` while it is used as a context. `bytes_sent` counts bodies of ranges; `posted` is
+    a queue of what pages send."""
 
     def __init__(self, folder, ranges=True):
         self.bytes_sent = 0
         self.requests = []
+        self.posted = queue.Queue()
         owner = self
 
         class Handler(SimpleHTTPRequestHandler):
@@ -37,6 +40,11 @@ class FolderServer:
                 self.end_headers()
                 self.wfile.write(data[first:last + 1])
                 owner.bytes_sent += last - first + 1
+
+            def do_POST(self):
+                owner.posted.put(self.rfile.read(int(self.headers["Content-Length"])))
+                self.send_response(204)
+                self.end_headers()
 
             def log_message(self, *_):
                 pass

@@ -1,0 +1,101 @@
+#include "interchange/page.h"
+
+#include "core/embedded.h"
+#include "core/error.h"
+#include "core/files/atomic_file.h"
+#include "field/measure/leaf_area.h"
+#include "field/organs.h"
+
+#include <bit>
+#include <span>
+#include <string>
+#include <string_view>
+#include <system_error>
+#include <utility>
+
+namespace sward::embedded {
+std::span<const EmbeddedFile> page();
+} // namespace sward::embedded
+
+namespace sward::interchange {
+namespace {
+
+constexpr std::string_view titlePlace = "{{title}}";
+
+std::string inHtml(std::string_view text)
+{
+    std::string html;
+    for (const char c : text) {
+        switch (c) {
+        case '&':
+            html += "&amp;";
+            break;
+        case '<':
+            html += "&lt;";
+            break;
+        case '>':
+            html += "&gt;";
+            break;
+        case '"':
+            html += "&quot;";
+            break;
+        default:
+            html += c;
+        }
+    }
+    return html;
+}
+
+std::string titled(std::string_view page, std::string_view title)
+{
+    std::string result(page);
+    const std::string name = inHtml(title);
+    for (std::size_t at = result.find(titlePlace); at != std::string::npos;
+         at = result.find(titlePlace, at + name.size()))
+        result.replace(at, titlePlace.size(), name);
+    return result;
+}
+
+/// The cover of a field as the page's script reads it: shared::Cover with field::areaFactor() as a
+/// float and four zeros in place of its table, and the corners. A page draws before all blades are
+/// there, so it cannot measure them itself.
+std::string coverBytes(const field::FieldView& field)
+{
+    field::LeafAreaGrid grid = field::leafAreaOf(field);
+    field::describeUndergrowth(field, grid.shape);
+    grid.shape.grass.address = std::bit_cast<std::uint32_t>(field::areaFactor(field));
+    std::string bytes(reinterpret_cast<const char*>(&grid.shape), sizeof grid.shape);
+    bytes.append(reinterpret_cast<const char*>(grid.values.data()),
+                 grid.values.size() * sizeof(std::uint32_t));
+    return bytes;
+}
+
+} // namespace
+
+std::uint64_t writePage(const field::FieldView& field, const std::filesystem::path& folder,
+                        const ExportSettings& settings, Progress& progress)
+{
+    std::error_code error;
+    std::filesystem::create_directories(folder, error);
+    if (error)
+        fail(ErrorKind::io, "{}: the folder cannot be made", folder.string());
+    progress.begin("export", 3);
+    std::uint64_t bytes = 0;
+    const auto put = [&](std::string_view name, std::string_view text) {
+        writeTextFile(folder / name, text, settings.overwrite);
+        bytes += text.size();
+        progress.advance(1);
+    };
+    put("field.cover", coverBytes(field));
+    // The page itself comes last: it is there when all is.
+    const std::string title = std::filesystem::path(settings.source).stem().string();
+    for (const EmbeddedFile& file : embedded::page())
+        if (file.name != "index.html")
+            put(file.name, file.text());
+    for (const EmbeddedFile& file : embedded::page())
+        if (file.name == "index.html")
+            put(file.name, titled(file.text(), title));
+    return bytes;
+}
+
+} // namespace sward::interchange

@@ -1,0 +1,168 @@
+"""`sward export -o page/`: the page of a field. Long tests open it in Chromium and hold its pictures against the
+viewer's."""
+
+import base64
+import csv
+import json
+import os
+import re
+import signal
+import subprocess
+import sys
+import unittest
+from pathlib import Path
+
+import numpy
+
+sys.path.insert(0, str(Path(__file__).resolve().parents[1]))
+sys.path.insert(0, str(Path(__file__).resolve().parents[1] / "view"))
+
+from support import CliTest, IO, PROGRAM, ROOT, USAGE
+
+from file_server import FolderServer
+from needs import needs
+
+sys.path.insert(0, str(ROOT / "scripts"))
+
+HERE = Path(__file__).resolve().parent
+VIEWER = Path(os.environ.get("SWARD_VIEWER", PROGRAM.with_name("sward-view"))).resolve()
+FILES = {"index.html", "sward.js", "field.sward", "field.cover"}
+
+# A view in grass, and one of the whole field.
+CAMERAS = [{"eye": [-2.0, 1.2, -6.0], "target": [0.0, 0.0, 0.0], "up": [0, 1, 0], "fov_y_deg": 45},
+           {"eye": [8.1, 19.2, -57.9], "target": [-1.9, 1.2, 0.2], "up": [0, 1, 0], "fov_y_deg": 40}]
+LARGEST_FLIP = 0.045  # measured: 0.033 in grass, 0.014 of the whole field
+LARGEST_STRAY = 3e-4  # [m] of a control point, of ribbons 1 m long; measured: 1.1e-4 for 99 of 100 blades
+
+
+class Page(CliTest):
+    def setUp(self):
+        super().setUp()
+        self.field = self.bake("hills", "--count", "3000", to="a<b>&.sward")
+
+    def test_a_page_has_field_script_and_title(self):
+        said = self.sward("export", self.field, "-o", "page/").stdout
+        self.assertIn("page/: ", said)
+        page = self.folder / "page"
+        self.assertEqual({path.name for path in page.iterdir()}, FILES)
+        self.assertEqual((page / "field.sward").read_bytes(), self.field.read_bytes())
+        self.assertEqual((page / "sward.js").read_bytes(), (ROOT / "web/dist/sward.js").read_bytes())
+        text = (page / "index.html").read_text(encoding="utf-8")
+        self.assertIn("<title>a&lt;b&gt;&amp;</title>", text)
+        self.assertNotIn("{{", text)
+        # Nothing comes from elsewhere.
+        self.assertEqual(re.findall(r'(?:src|href)="(?!data:)', text), [])
+        self.assertEqual(re.findall(r"https?://(?!localhost)\S+", text), [])
+
+    def test_a_full_folder_is_kept_without_force(self):
+        self.sward("export", self.field, "-o", "page/")
+        (self.folder / "page/index.html").write_text("mine", encoding="ascii")
+        self.refused("export", self.field, "-o", "page/", code=IO, names=["page/", "--force"])
+        self.assertEqual((self.folder / "page/index.html").read_text(encoding="ascii"), "mine")
+        self.sward("export", self.field, "-o", "page/", "--force")
+        self.assertIn("<title>", (self.folder / "page/index.html").read_text(encoding="utf-8"))
+
+    def test_a_page_takes_no_option_of_other_formats(self):
+        self.refused("export", self.field, "-o", "page/", "--with-ground", code=USAGE, names=["page/", ".glb"])
+
+    def test_the_script_is_small(self):
+        """Compressed, as servers send it."""
+        import gzip
+        self.assertLess(len(gzip.compress((ROOT / "web/dist/sward.js").read_bytes(), 9)), 150_000)
+
+
+class LongBrowser(CliTest):
+    def setUp(self):
+        super().setUp()
+        needs("chromium")
+        self.field = self.bake("hills", "--count", "20000")
+        self.sward("export", self.field, "-o", "page/")
+        self.page = self.folder / "page"
+        (self.page / "checks.html").write_bytes((HERE / "checks.html").read_bytes())
+
+    def chromium(self, address, *options):
+        return subprocess.Popen(
+            ["chromium", "--headless=new", "--no-sandbox", "--use-angle=swiftshader", "--enable-unsafe-swiftshader",
+             "--ignore-gpu-blocklist", "--disable-background-networking", "--no-first-run",
+             f"--user-data-dir={self.folder / 'profile'}", "--enable-logging=stderr", *options, address],
+            stdin=subprocess.DEVNULL, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True, start_new_session=True)
+
+    def check(self, name, ranges=True, **settings):
+        """What a check of checks.html finds. Fails if anything stands on the console."""
+        (self.page / "settings.json").write_text(json.dumps({"check": name, **settings}), encoding="ascii")
+        with FolderServer(self.page, ranges) as server:
+            browser = self.chromium(f"{server.address}/checks.html")
+            try:
+                found = json.loads(server.posted.get(timeout=240))
+            finally:
+                os.killpg(browser.pid, signal.SIGTERM)
+                said = browser.communicate()[1]
+        self.assertNotIn("failed", found, found.get("failed"))
+        self.assertEqual(found["errors"], [])
+        self.assertEqual([line for line in said.splitlines() if ":CONSOLE" in line], [])
+        return found
+
+    def test_pictures_are_those_of_the_viewer(self):
+        from flip import flip, to_linear
+        from png import picture_of
+
+        width, height = 480, 300
+        for camera in CAMERAS:
+            self.write_json("camera.json", camera)
+            found = self.check("picture", camera=camera, size=[width, height])
+            (self.folder / "web.png").write_bytes(base64.b64decode(found["picture"]))
+            subprocess.run([str(VIEWER), "render", str(self.field), "-o", "view.png", "--size", f"{width}x{height}",
+                            "--camera", "camera.json", "--dump-blades", "blades.csv", "--force"], cwd=self.folder,
+                           check=True, capture_output=True)
+            ours, theirs = (picture_of(self.folder / name) / 255.0 for name in ("web.png", "view.png"))
+            self.assertGreater(float(numpy.std(ours)), 0.02, "the picture is not blank")
+            with self.subTest(camera["fov_y_deg"]):
+                self.assertLess(float(flip(to_linear(theirs), to_linear(ours)).mean()), LARGEST_FLIP)
+                self.assert_curves(found["curves"])
+
+    def assert_curves(self, curves):
+        """Every blade that the viewer draws is drawn, with its curve; others are those that the ground hides."""
+        with open(self.folder / "blades.csv", encoding="ascii", newline="") as file:
+            rows = {row["id"]: row for row in csv.DictReader(file)}
+        ours = {str(row[0]): numpy.array(row[1:]) for row in curves}
+        drawn = {name for name, row in rows.items() if row["cull_result"] == "drawn"}
+        self.assertLess(len(drawn - set(ours)), 1e-3 * len(drawn) + 1)
+        # A few lie on a limit.
+        others = [name for name in set(ours) - drawn if rows[name]["cull_result"] != "occlusion"]
+        self.assertLess(len(others), 1e-3 * len(drawn) + 1)
+        columns = [f"{point}{axis}" for point in ("", "v1", "v2") for axis in "xyz"]
+        stray = [max(abs(ours[name][i] - float(rows[name][column])) for i, column in enumerate(columns))
+                 for name in drawn & set(ours)]
+        self.assertLess(float(numpy.percentile(stray, 99)), LARGEST_STRAY)
+
+    def test_a_page_is_used_by_mouse_touch_and_keys(self):
+        found = self.check("use")
+        for act in ("drag", "pinch", "wheel", "arrow", "walk", "restored", "complete"):
+            self.assertTrue(found[act], act)
+        self.assertEqual(found["resized"], [320, 300])
+        self.assertEqual(found["drawnAtRest"], 0)
+        self.assertTrue(all(found["labels"]))
+        # A walker stands on the ground, which is at most 4 m high here.
+        self.assertLess(abs(found["walker"][1]), 6.0)
+
+    def test_a_server_without_ranges_is_enough(self):
+        self.assertTrue(self.check("use", ranges=False)["complete"])
+
+    def test_a_truncated_field_is_told(self):
+        field = self.page / "field.sward"
+        field.write_bytes(field.read_bytes()[:-1000])
+        said = self.check("refused")["message"]
+        self.assertRegex(said["text"], r"field\.sward: \d+ bytes instead of \d+: truncated")
+        self.assertEqual(said["role"], "alert")
+
+    def test_a_browser_without_webgl_is_told(self):
+        self.assertIn("no WebGL 2", self.check("without")["message"]["text"])
+
+    def test_a_page_that_is_opened_as_a_file_says_what_to_do(self):
+        browser = self.chromium((self.page / "index.html").as_uri(), "--dump-dom")
+        text = browser.communicate(timeout=120)[0]
+        self.assertIn("python3 -m http.server", text)
+
+
+if __name__ == "__main__":
+    unittest.main()

@@ -1,0 +1,268 @@
+import { SwardError } from "../format/error";
+import { Field, openField } from "../format/field";
+import { Camera, Vec3 } from "../format/texts";
+import { fittingCamera } from "../render/camera";
+import { noCover, parseCoverFile } from "../render/cover";
+import { lightAt, usualSun } from "../render/light";
+import { Renderer } from "../render/renderer";
+import { scaled, size, sub, unit } from "../render/vector";
+import { Controls, Mode } from "./controls";
+import { GroundHeight } from "./ground_height";
+import { Panel } from "./panel";
+
+/** What showField() shows. */
+export interface ShowOptions {
+  /** Address of the field. */
+  field: string;
+  /** Address of what `sward export` wrote beside it; without it blades do not shade one another. */
+  cover?: string;
+  /** First view; by default the field's first camera, or all of it. */
+  camera?: Camera;
+  /** Whether there are controls; true by default. */
+  panel?: boolean;
+}
+
+/** Blades that come before the first picture [pages of 1024]: 6 MB. */
+const firstPages = 384;
+/** Pages that are asked for together, and requests at once. */
+const pagesAtOnce = 128;
+const requestsAtOnce = 4;
+const minBlades = 30_000;
+const maxBlades = 2_000_000;
+/** Longest time between two frames that moves blades [s]: a tab that was hidden does not jump. */
+const longestFrame = 0.1;
+/** [ms] without a change after which a picture at rest is refined. */
+const rest = 250;
+
+/** A field in an element of a page. */
+export class FieldView {
+  readonly canvas: HTMLCanvasElement;
+  readonly panel: Panel;
+  readonly controls: Controls;
+  /** Pictures drawn. */
+  frames = 0;
+  /** Milliseconds from one frame to the next, smoothed. */
+  frameTime = 0;
+  /** Factor of the field's wind. */
+  wind = 1;
+  /** Hour of the day, 5 to 19; at 9 the sun stands as in the viewer. */
+  hour = 9;
+  /** Factor of the number of blades that are drawn at most. */
+  detail = 1;
+  private time = 0;
+  private last = 0;
+  private isDirty = true;
+  private changedAt = 0;
+  private isRefined = false;
+  private requests = 0;
+  private budget = 300_000;
+  private isLost = false;
+  private isStopped = false;
+  private readonly observer: ResizeObserver;
+  private readonly stillness = matchMedia("(prefers-reduced-motion: reduce)");
+
+  constructor(
+    readonly element: HTMLElement,
+    readonly field: Field,
+    readonly renderer: Renderer,
+    panel: Panel,
+    camera: Camera | undefined,
+  ) {
+    this.canvas = renderer.canvas;
+    this.panel = panel;
+    const { content } = renderer.scene;
+    const up = this.up;
+    const isPlanet = field.defaults.gravity.blend > 0;
+    const heights = isPlanet ? undefined : new GroundHeight(field.ground, up);
+    this.resize();
+    this.controls = new Controls(
+      this.canvas,
+      camera ?? field.defaults.cameras[0] ?? this.wholeView(),
+      up,
+      size(sub(content.high, content.low)),
+      field.origin,
+      (place) => heights?.at(place),
+      () => this.change(),
+    );
+    this.observer = new ResizeObserver(() => this.resize());
+    this.observer.observe(this.canvas);
+    this.canvas.addEventListener("webglcontextlost", (event) => {
+      event.preventDefault();
+      this.isLost = true;
+      panel.say("The graphics device was lost. The picture comes back when it does.");
+    });
+    this.canvas.addEventListener("webglcontextrestored", () => {
+      this.renderer.restore();
+      this.isLost = false;
+      panel.say("");
+      this.change();
+    });
+    document.addEventListener("visibilitychange", this.wake);
+    requestAnimationFrame(this.tick);
+  }
+
+  /** Up direction of the field, against gravity. */
+  get up(): Vec3 {
+    return unit(scaled(this.field.defaults.gravity.direction, -1));
+  }
+
+  /** A camera that shows all of the field. */
+  wholeView(): Camera {
+    const { renderer, field, canvas } = this;
+    const aspect = canvas.width / canvas.height;
+    return fittingCamera(renderer.scene.content, field.origin, this.up, renderer.usualLight.sunDirection, aspect);
+  }
+
+  setMode(mode: Mode): void {
+    this.controls.setMode(mode);
+  }
+
+  setCamera(camera: Camera): void {
+    this.controls.camera = camera;
+    this.change();
+  }
+
+  /** Asks for a new picture: something has changed. */
+  change(): void {
+    this.isDirty = true;
+    this.isRefined = false;
+    this.changedAt = performance.now();
+  }
+
+  /** Ends the work in the element. */
+  stop(): void {
+    this.isStopped = true;
+    this.observer.disconnect();
+    document.removeEventListener("visibilitychange", this.wake);
+  }
+
+  private readonly wake = (): void => {
+    this.last = 0;
+    this.change();
+  };
+
+  private resize(): void {
+    const ratio = Math.min(devicePixelRatio || 1, 2);
+    const width = Math.max(Math.round(this.canvas.clientWidth * ratio), 1);
+    const height = Math.max(Math.round(this.canvas.clientHeight * ratio), 1);
+    if (this.canvas.width === width && this.canvas.height === height) return;
+    this.canvas.width = width;
+    this.canvas.height = height;
+    this.change();
+  }
+
+  private readonly tick = (now: number): void => {
+    if (this.isStopped) return;
+    requestAnimationFrame(this.tick);
+    if (this.isLost || document.hidden) return;
+    const since = this.last > 0 ? now - this.last : 0;
+    this.last = now;
+    this.controls.step(Math.min(since / 1000, longestFrame));
+    const blows = this.wind > 0 && !this.stillness.matches;
+    const isResting = !blows && !this.controls.isMoving && performance.now() - this.changedAt > rest;
+    if (!blows && !this.isDirty && (!isResting || this.isRefined)) return;
+    const elapsed = blows ? Math.min(since / 1000, longestFrame) : 0;
+    this.isDirty = false;
+    this.isRefined = isResting;
+    this.draw(elapsed, isResting);
+    if (blows && since > 0) this.adapt(since);
+  };
+
+  private draw(elapsed: number, isFine: boolean): void {
+    this.time += elapsed;
+    const { azimuth, elevation } = sunAt(this.hour);
+    const stats = this.renderer.draw({
+      camera: this.controls.camera,
+      time: this.time,
+      elapsed,
+      light: this.hour === 9 ? undefined : lightAt(azimuth, elevation, this.up),
+      wind: this.wind,
+      maxBlades: this.budget * this.detail,
+      isFine,
+    });
+    ++this.frames;
+    this.load(stats.missing);
+  }
+
+  /** Fewer blades where frames take long, more where they do not. */
+  private adapt(since: number): void {
+    this.frameTime = this.frameTime === 0 ? since : 0.9 * this.frameTime + 0.1 * since;
+    if (this.frameTime > 45) this.budget = Math.max(0.97 * this.budget, minBlades);
+    else if (this.frameTime < 20) this.budget = Math.min(1.01 * this.budget, maxBlades);
+  }
+
+  /** Fetches what is visible and not here, then the rest. */
+  private load(missing: readonly number[]): void {
+    const { field, panel } = this;
+    panel.progress(field);
+    if (field.isComplete || this.requests >= requestsAtOnce) return;
+    let wanted = missing.slice(0, pagesAtOnce);
+    for (let page = 0; wanted.length < pagesAtOnce && page < field.pageCount; ++page)
+      if (field.isMissing(page) && !wanted.includes(page)) wanted.push(page);
+    wanted = wanted.sort((a, b) => a - b);
+    if (wanted.length === 0) return;
+    ++this.requests;
+    loadRuns(field, wanted)
+      .then(() => this.change())
+      .catch((error: unknown) => panel.fail(error))
+      .finally(() => {
+        --this.requests;
+        panel.progress(field);
+      });
+  }
+}
+
+/** Fetches pages, neighbours in one request. */
+async function loadRuns(field: Field, pages: readonly number[]): Promise<void> {
+  const runs: [number, number][] = [];
+  for (const page of pages) {
+    const last = runs[runs.length - 1];
+    // A gap of some pages costs less than a request.
+    if (last && page - last[1] < 4) last[1] = page + 1;
+    else runs.push([page, page + 1]);
+  }
+  for (const [from, to] of runs) await field.loadPages(from, to);
+}
+
+/** Where the sun stands at an hour. */
+function sunAt(hour: number): { azimuth: number; elevation: number } {
+  const rise = (h: number) => Math.sin((Math.PI * (h - 5)) / 14);
+  return {
+    azimuth: usualSun.azimuth + 15 * (hour - 9),
+    elevation: (usualSun.elevation * rise(hour)) / rise(9),
+  };
+}
+
+/** Shows a field in an element, with controls. Errors are shown in the element; the promise fails with them, too. */
+export async function showField(element: HTMLElement, options: ShowOptions): Promise<FieldView> {
+  const canvas = document.createElement("canvas");
+  const panel = new Panel(element, canvas);
+  try {
+    const field = await openField(options.field, {
+      onProgress: (received, total) => panel.receive(received, total),
+    });
+    panel.progress(field);
+    const [cover] = await Promise.all([
+      options.cover ? coverAt(options.cover) : noCover,
+      field.loadPages(0, Math.min(firstPages, field.pageCount)),
+    ]);
+    const renderer = new Renderer(canvas, field, cover);
+    const view = new FieldView(element, field, renderer, panel, options.camera);
+    if (options.panel ?? true) panel.control(view);
+    return view;
+  } catch (error) {
+    panel.fail(error);
+    throw error;
+  }
+}
+
+async function coverAt(address: string): Promise<typeof noCover> {
+  let response: Response;
+  try {
+    response = await fetch(address);
+  } catch {
+    throw new SwardError("io", `${address}: no answer from the server`);
+  }
+  if (!response.ok) throw new SwardError("io", `${address}: the server answers ${response.status}`);
+  return parseCoverFile(await response.arrayBuffer(), address);
+}

@@ -1,0 +1,139 @@
+import { SwardError } from "../format/error";
+import { Field } from "../format/field";
+import { Mode } from "./controls";
+import type { FieldView } from "./page";
+
+const megabytes = (bytes: number) => `${(bytes / 1e6).toFixed(1)} MB`;
+
+/** An element of HTML with attributes and children. */
+function make<K extends keyof HTMLElementTagNameMap>(
+  name: K,
+  attributes: Record<string, string>,
+  ...children: (Node | string)[]
+): HTMLElementTagNameMap[K] {
+  const element = document.createElement(name);
+  for (const [key, value] of Object.entries(attributes)) element.setAttribute(key, value);
+  element.append(...children);
+  return element;
+}
+
+/** Messages, progress and controls of a view. Labels are for people and for screen readers. */
+export class Panel {
+  private readonly message = make("p", { class: "sward-message", role: "status", "aria-live": "polite" });
+  private readonly bar = make("progress", { class: "sward-progress", "aria-label": "Blades that have come", max: "1" });
+  private hasFailed = false;
+
+  constructor(
+    private readonly element: HTMLElement,
+    private readonly canvas: HTMLCanvasElement,
+  ) {
+    element.classList.add("sward");
+    canvas.tabIndex = 0;
+    canvas.setAttribute("role", "application");
+    canvas.setAttribute(
+      "aria-label",
+      "A field of grass in three dimensions. Arrow keys turn the view, plus and minus come nearer and go away.",
+    );
+    element.replaceChildren(canvas, this.message, this.bar);
+    this.say("The field is coming.");
+  }
+
+  /** Shows a text; none if it is empty. */
+  say(text: string): void {
+    if (this.hasFailed) return;
+    this.message.textContent = text;
+    this.message.hidden = text === "";
+  }
+
+  /** Shows an error instead of anything else. */
+  fail(error: unknown): void {
+    const text =
+      error instanceof SwardError ? error.message : "The field cannot be shown: something unexpected happened.";
+    if (!(error instanceof SwardError)) console.error(error);
+    this.say(text);
+    this.hasFailed = true;
+    this.message.setAttribute("role", "alert");
+    this.message.classList.add("sward-error");
+    this.bar.hidden = true;
+  }
+
+  /** Bytes of a file that comes as a whole. */
+  receive(received: number, total: number): void {
+    this.bar.value = received / Math.max(total, 1);
+    this.say(`${megabytes(received)} of ${megabytes(total)}`);
+  }
+
+  /** How much of a field is here. */
+  progress(field: Field): void {
+    const share = field.pageCount > 0 ? field.presentPages / field.pageCount : 1;
+    this.bar.value = share;
+    this.bar.hidden = share >= 1;
+    if (this.hasFailed) return;
+    this.say(share >= 1 ? "" : `${Math.floor(100 * share)} % of ${field.bladeCount.toLocaleString("en")} blades`);
+  }
+
+  /** Adds the controls of a view. */
+  control(view: FieldView): void {
+    const modes: [Mode, string, string][] = [
+      ["orbit", "Orbit", "Drag turns around the field, right drag moves it, the wheel comes nearer"],
+      ["fly", "Fly", "Drag looks around; W A S D or arrows fly, E and Q rise and sink, Shift is faster"],
+      ["walk", "Walk", "Drag looks around; W A S D or arrows walk on the ground"],
+    ];
+    const usable = modes.filter(([mode]) => mode !== "walk" || view.field.defaults.gravity.blend === 0);
+    const buttons = usable.map(([mode, text, title]) => {
+      const button = make("button", { type: "button", title, "aria-pressed": String(mode === "orbit") }, text);
+      button.addEventListener("click", () => {
+        view.setMode(mode);
+        buttons.forEach((other) => other.setAttribute("aria-pressed", String(other === button)));
+        this.canvas.focus();
+      });
+      return button;
+    });
+    const home = make("button", { type: "button", title: "Show all of the field" }, "Home");
+    home.addEventListener("click", () => view.setCamera(view.wholeView()));
+    const slider = (
+      text: string,
+      low: number,
+      high: number,
+      step: number,
+      value: number,
+      shown: (value: number) => string,
+      set: (value: number) => void,
+    ) => {
+      const input = make("input", {
+        type: "range", min: String(low), max: String(high), step: String(step), value: String(value),
+        "aria-label": text, "aria-valuetext": shown(value),
+      });
+      const output = make("output", {}, shown(value));
+      input.addEventListener("input", () => {
+        set(input.valueAsNumber);
+        output.textContent = shown(input.valueAsNumber);
+        input.setAttribute("aria-valuetext", output.textContent);
+        view.change();
+      });
+      return make("label", {}, make("span", {}, text), input, output);
+    };
+    const clock = (hour: number) => `${Math.floor(hour)}:${String(Math.round((hour % 1) * 60)).padStart(2, "0")}`;
+    const tools = make(
+      "div",
+      { class: "sward-tools", role: "toolbar", "aria-label": "View of the field" },
+      ...buttons,
+      home,
+      slider("Wind", 0, 3, 0.1, view.wind, (x) => `${Math.round(100 * x)} %`, (x) => (view.wind = x)),
+      slider("Time", 5.25, 18.75, 0.25, view.hour, clock, (x) => (view.hour = x)),
+      slider("Detail", -2, 2, 0.5, 0, (x) => `×${2 ** x < 1 ? (2 ** x).toFixed(2) : (2 ** x).toFixed(1)}`, (x) => (view.detail = 2 ** x)),
+    );
+    const cameras = view.field.defaults.cameras;
+    if (cameras.length > 0) {
+      const select = make(
+        "select",
+        { "aria-label": "Saved view" },
+        ...cameras.map((camera, i) => make("option", { value: String(i) }, camera.name)),
+      );
+      select.addEventListener("change", () => view.setCamera(cameras[select.selectedIndex]));
+      tools.append(select);
+    }
+    const copyright = view.field.defaults.copyright;
+    this.element.append(tools, ...(copyright ? [make("small", { class: "sward-copyright" }, copyright)] : []));
+  }
+}

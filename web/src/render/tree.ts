@@ -1,0 +1,190 @@
+import { lodFullShare, maxHeightCompensation, outlineMost } from "../generated/layout";
+import { Patches, patchWord, patchWords } from "../format/patches";
+import { Field } from "../format/field";
+import { ribbonsOf } from "../format/texts";
+
+/** What culling knows of a view: the members of Eyepoint in shaders/shared/eyepoint.h. */
+export interface TreeView {
+  eye: readonly number[];
+  planes: readonly (readonly number[])[];
+  drawDistance: number;
+  pixelsPerUnit: number;
+  lodThreshold: number;
+  lodWidth: number;
+  minWidth: number;
+}
+
+/** Blades of one instance of the passes that move and pose them: groupBlades in web/shaders/blades.glsl. */
+export const groupBlades = 32;
+
+/** Rows of segments that ribbons of a class may have, and how high [pixels] they are at most. */
+export const classes = [
+  { segments: 2, pixels: 5, columns: 2 },
+  { segments: 4, pixels: 26, columns: 2 },
+  { segments: 8, pixels: 120, columns: 3 },
+  { segments: 16, pixels: Infinity, columns: 3 },
+] as const;
+
+/** Groups of blades to draw, by class: patch, number of the first blade in the patch, blades. */
+export interface Groups {
+  words: Uint32Array;
+  /** Where the groups of each class begin, and the end. */
+  begins: number[];
+  /** Blades in them. */
+  blades: number;
+  /** Pages that are missing, the most wanted first. */
+  missing: number[];
+}
+
+/** The share of blades that level of detail draws of a width in pixels: lodShare() of shaders/shared/culling.h. */
+const lodShare = (pixels: number, threshold: number) =>
+  Math.min(Math.max(pixels / threshold, 1 / 256), lodFullShare);
+
+/** The walk of the patch tree: patchCulled() and thickEnough() of shaders/shared/visibility.h, on the CPU. */
+export class PatchTree {
+  /** Largest full width of a blade in each subtree [m]. */
+  private readonly widest: Float32Array;
+  /** The lowest rank below each node; 1 if there is none. */
+  private readonly rankBelow: Float32Array;
+  private readonly queue: Uint32Array;
+  /** Ribbons of a plant at most. */
+  private readonly ribbons: number;
+
+  constructor(private readonly field: Field) {
+    const patches = field.patches;
+    this.ribbons = Math.max(0, ...field.species.map((one) => ribbonsOf(one.organs)));
+    this.widest = new Float32Array(patches.count);
+    this.rankBelow = new Float32Array(patches.count).fill(1);
+    this.queue = new Uint32Array(patches.count);
+    const f = patches.floats;
+    for (let p = patches.count - 1; p >= 0; --p) {
+      const at = p * patchWords;
+      const own = patches.bladeCount(p) > 0 ? f[at + patchWord.widthLow] + 63 * f[at + patchWord.widthStep] : 0;
+      this.widest[p] = Math.max(this.widest[p], own);
+      if (p === 0) continue;
+      const parent = patches.parent(p);
+      this.widest[parent] = Math.max(this.widest[parent], this.widest[p]);
+      const rank = patches.bladeCount(p) > 0 ? f[at + patchWord.rankLow] : 1;
+      this.rankBelow[parent] = Math.min(this.rankBelow[parent], rank, this.rankBelow[p]);
+    }
+  }
+
+  /** Distance [m] of the eye from a patch's box. */
+  private distance(view: TreeView, at: number): number {
+    const f = this.field.patches.floats;
+    let square = 0;
+    for (let i = 0; i < 3; ++i) {
+      const off = Math.max(
+        f[at + patchWord.boundsLow + i] - view.eye[i],
+        view.eye[i] - f[at + patchWord.boundsHigh + i],
+        0,
+      );
+      square += off * off;
+    }
+    return Math.sqrt(square);
+  }
+
+  private shareAt(view: TreeView, distance: number): number {
+    if (view.lodThreshold <= 0) return lodFullShare;
+    return lodShare((view.lodWidth * view.pixelsPerUnit) / Math.max(distance, 1e-6), view.lodThreshold);
+  }
+
+  /** Whether no blade of a subtree is in the view. */
+  private isOutside(view: TreeView, p: number, nearest: number): boolean {
+    if (nearest > view.drawDistance) return true;
+    const f = this.field.patches.floats;
+    const at = p * patchWords;
+    let square = 0;
+    let thinnest = Infinity;
+    for (let i = 0; i < 3; ++i) {
+      const low = f[at + patchWord.boundsLow + i];
+      const high = f[at + patchWord.boundsHigh + i];
+      const far = Math.max(Math.abs(low - view.eye[i]), Math.abs(high - view.eye[i]));
+      square += far * far;
+      thinnest = Math.min(thinnest, high - low);
+    }
+    const farthest = Math.sqrt(square);
+    const margin =
+      (0.5 * outlineMost * this.widest[p]) / (0.95 * this.shareAt(view, farthest)) +
+      view.minWidth * farthest +
+      (maxHeightCompensation - 1) * 0.5 * thinnest;
+    for (const plane of view.planes) {
+      let sum = plane[3];
+      for (let i = 0; i < 3; ++i)
+        sum +=
+          plane[i] *
+          (plane[i] >= 0 ? f[at + patchWord.boundsHigh + i] + margin : f[at + patchWord.boundsLow + i] - margin);
+      if (sum < 0) return true;
+    }
+    return false;
+  }
+
+  /** The groups of blades that a view may show. `most`: blades at most. */
+  groupsOf(view: TreeView, most: number, oneClass = -1): Groups {
+    const patches = this.field.patches;
+    const f = patches.floats;
+    const lists: number[][] = classes.map(() => []);
+    const wanted: { page: number; distance: number }[] = [];
+    let blades = 0;
+    let end = 0;
+    if (patches.count > 0) this.queue[end++] = 0;
+    for (let next = 0; next < end; ++next) {
+      const p = this.queue[next];
+      const at = p * patchWords;
+      const nearest = this.distance(view, at);
+      if (this.isOutside(view, p, nearest)) continue;
+      const share = this.shareAt(view, nearest);
+      if (share > this.rankBelow[p]) {
+        const first = patches.firstChild(p);
+        for (let i = 0; i < patches.childCount(p); ++i) this.queue[end++] = first + i;
+      }
+      const own = patches.bladeCount(p);
+      const low = f[at + patchWord.rankLow];
+      const high = f[at + patchWord.rankHigh];
+      if (own === 0 || share <= low) continue;
+      const thick = share >= high ? own : Math.ceil(((share - low) / (high - low)) * own) + 1;
+      // The ribbons of the last plant, too.
+      const count = Math.min(thick + this.ribbons, own);
+      const begin = patches.firstBlade(p);
+      if (!this.field.has(begin, count)) {
+        for (const page of pagesOf(begin, count))
+          if (this.field.isMissing(page)) wanted.push({ page, distance: nearest * (1 + low) });
+        continue;
+      }
+      if (blades + count > most) continue;
+      blades += count;
+      const height = f[at + patchWord.heightLow] + 255 * f[at + patchWord.heightStep];
+      const pixels = (height * view.pixelsPerUnit) / Math.max(nearest, 1e-6);
+      const kind = oneClass >= 0 ? oneClass : classes.findIndex((one) => pixels <= one.pixels);
+      for (let i = 0; i < count; i += groupBlades) lists[kind].push(p, i, Math.min(groupBlades, count - i));
+    }
+    const begins = [0];
+    for (const list of lists) begins.push(begins[begins.length - 1] + list.length / 3);
+    const words = new Uint32Array(3 * begins[classes.length]);
+    lists.forEach((list, i) => words.set(list, 3 * begins[i]));
+    wanted.sort((a, b) => a.distance - b.distance);
+    return { words, begins, blades, missing: [...new Set(wanted.map((one) => one.page))] };
+  }
+}
+
+const pageBlades = 1024;
+
+function* pagesOf(first: number, count: number): Generator<number> {
+  for (let p = Math.floor(first / pageBlades); p <= Math.floor((first + count - 1) / pageBlades); ++p) yield p;
+}
+
+/** Mean height and width of a field's blades [m], from the middle of each patch's range. */
+export function meanBladeSize(patches: Patches): { height: number; width: number } {
+  const f = patches.floats;
+  let height = 0;
+  let width = 0;
+  let count = 0;
+  for (let p = 0; p < patches.count; ++p) {
+    const at = p * patchWords;
+    const own = patches.bladeCount(p);
+    height += own * (f[at + patchWord.heightLow] + 127.5 * f[at + patchWord.heightStep]);
+    width += own * (f[at + patchWord.widthLow] + 31.5 * f[at + patchWord.widthStep]);
+    count += own;
+  }
+  return count > 0 ? { height: height / count, width: width / count } : { height: 0.3, width: 0.01 };
+}
