@@ -17,6 +17,8 @@ await build({
   target: "es2022",
   charset: "utf8",
   legalComments: "inline",
+  // Comments in the script name files: node_modules may lie elsewhere.
+  preserveSymlinks: true,
   banner: {
     js:
       "// Built from web/src by `npm run build`; do not edit.\n" +

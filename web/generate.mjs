@@ -207,9 +207,9 @@ const exported = [
   "bladeShadowTexels", "cullPatch", "cullOrientation", "cullFrustum", "cullDistance", "leaveThinned", "toneBits",
 ];
 
-export function generate() {
-  const output = join(here, "src/generated");
-  mkdirSync(output, { recursive: true });
+/** Writes the two files into a folder, unless that is null; returns the texts of all stages by their names. */
+export function generate(output = join(here, "src/generated")) {
+  if (output) mkdirSync(output, { recursive: true });
   const parts = new Map(stages.map((stage) => [stage, piecesOf(`web/shaders/${stage}`)]));
   translate();
   const keys = [...pieces.keys()];
@@ -224,15 +224,18 @@ export function generate() {
     const numbers = own.map((key) => keys.indexOf(key)).join(", ");
     lines.push(`export const ${name.replace(/[._](\w)/g, (_, c) => c.toUpperCase())} = stage(${numbers});`);
   }
-  writeFileSync(join(output, "shaders.ts"), `${lines.join("\n")}\n`);
+  if (output) writeFileSync(join(output, "shaders.ts"), `${lines.join("\n")}\n`);
   const frame = layoutOf(`${texts["pose.vert"]}struct Frame {${frameBody}};`, "Frame");
   const looks = layoutOf(texts["pose.vert"], "Looks");
   const values = exported.map((name) => {
-    const value = frame.constants.get(name);
-    if (value === undefined) throw new Error(`no constant ${name}`);
-    const plain = value.replace(/\b(0x[0-9a-f]+|\d+)u\b/g, "$1").replace(/(\d)f\b/g, "$1");
-    return `export const ${name} = ${Number(new Function(`return ${plain}`)()) >>> 0 === Number(new Function(`return ${plain}`)()) ? Number(new Function(`return ${plain}`)()) : plain};`;
+    const text = frame.constants.get(name);
+    if (text === undefined) throw new Error(`no constant ${name}`);
+    const plain = text.replace(/\b(0x[0-9a-f]+|\d+)u\b/g, "$1").replace(/(\d)f\b/g, "$1");
+    const value = Number(new Function(`return ${plain}`)());
+    // Words of 32 bits are unsigned.
+    return `export const ${name} = ${Number.isInteger(value) ? value >>> 0 : plain};`;
   });
+  if (!output) return texts;
   writeFileSync(
     join(output, "layout.ts"),
     `// Written by generate.mjs.\n\n${values.join("\n")}\n\n` +

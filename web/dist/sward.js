@@ -1,5 +1,10 @@
 // Built from web/src by `npm run build`; do not edit.
 // Sward, MIT licence. Contains fzstd, MIT licence, copyright (c) 2020 Arjun Barrett.
+var __defProp = Object.defineProperty;
+var __export = (target, all) => {
+  for (var name in all)
+    __defProp(target, name, { get: all[name], enumerable: true });
+};
 
 // src/format/error.ts
 var SwardError = class extends Error {
@@ -460,7 +465,7 @@ function verifyBlades(packed, patches, species, first, count, place) {
   }
 }
 
-// ../../../h-web/npm/node_modules/fzstd/esm/index.mjs
+// node_modules/fzstd/esm/index.mjs
 var ab = ArrayBuffer;
 var u8 = Uint8Array;
 var u16 = Uint16Array;
@@ -1931,6 +1936,24 @@ var looksBytes = 4608;
 var looksLayout = { "species[0].rootColor": 0, "species[0].tipThreshold": 12, "species[0].tipColor": 16, "species[0].groundTint": 28, "species[0].colorVariation": 32, "species[0].translucency": 36, "species[0].gloss": 40, "species[0].dryness": 44, "species[0].shape": 48, "species[0].fold": 52, "species[0].firstOrgan": 56, "species[0].organKinds": 60, "species[1].rootColor": 64, "species[1].tipThreshold": 76, "species[1].tipColor": 80, "species[1].groundTint": 92, "species[1].colorVariation": 96, "species[1].translucency": 100, "species[1].gloss": 104, "species[1].dryness": 108, "species[1].shape": 112, "species[1].fold": 116, "species[1].firstOrgan": 120, "species[1].organKinds": 124, "species[2].rootColor": 128, "species[2].tipThreshold": 140, "species[2].tipColor": 144, "species[2].groundTint": 156, "species[2].colorVariation": 160, "species[2].translucency": 164, "species[2].gloss": 168, "species[2].dryness": 172, "species[2].shape": 176, "species[2].fold": 180, "species[2].firstOrgan": 184, "species[2].organKinds": 188, "species[3].rootColor": 192, "species[3].tipThreshold": 204, "species[3].tipColor": 208, "species[3].groundTint": 220, "species[3].colorVariation": 224, "species[3].translucency": 228, "species[3].gloss": 232, "species[3].dryness": 236, "species[3].shape": 240, "species[3].fold": 244, "species[3].firstOrgan": 248, "species[3].organKinds": 252, "species[4].rootColor": 256, "species[4].tipThreshold": 268, "species[4].tipColor": 272, "species[4].groundTint": 284, "species[4].colorVariation": 288, "species[4].translucency": 292, "species[4].gloss": 296, "species[4].dryness": 300, "species[4].shape": 304, "species[4].fold": 308, "species[4].firstOrgan": 312, "species[4].organKinds": 316, "species[5].rootColor": 320, "species[5].tipThreshold": 332, "species[5].tipColor": 336, "species[5].groundTint": 348, "species[5].colorVariation": 352, "species[5].translucency": 356, "species[5].gloss": 360, "species[5].dryness": 364, "species[5].shape": 368, "species[5].fold": 372, "species[5].firstOrgan": 376, "species[5].organKinds": 380, "species[6].rootColor": 384, "species[6].tipThreshold": 396, "species[6].tipColor": 400, "species[6].groundTint": 412, "species[6].colorVariation": 416, "species[6].translucency": 420, "species[6].gloss": 424, "species[6].dryness": 428, "species[6].shape": 432, "species[6].fold": 436, "species[6].firstOrgan": 440, "species[6].organKinds": 444, "species[7].rootColor": 448, "species[7].tipThreshold": 460, "species[7].tipColor": 464, "species[7].groundTint": 476, "species[7].colorVariation": 480, "species[7].translucency": 484, "species[7].gloss": 488, "species[7].dryness": 492, "species[7].shape": 496, "species[7].fold": 500, "species[7].firstOrgan": 504, "species[7].organKinds": 508, "organs[0].look.rootColor": 512, "organs[0].look.tipThreshold": 524, "organs[0].look.tipColor": 528, "organs[0].look.groundTint": 540, "organs[0].look.colorVariation": 544, "organs[0].look.translucency": 548, "organs[0].look.gloss": 552, "organs[0].look.dryness": 556, "organs[0].look.shape": 560, "organs[0].look.fold": 564, "organs[0].look.firstOrgan": 568, "organs[0].look.organKinds": 572, "organs[0].count": 576, "organs[0].place": 584, "organs[0].pitch": 592, "organs[0].size": 600, "organs[0].width": 608, "organs[0].azimuth": 612, "organs[0].turn": 616, "organs[0].bend": 620, "organs[0].leg": 624, "organs[0].variation": 628, "organs[1].look.rootColor": 640, "organs[1].look.tipThreshold": 652, "organs[1].look.tipColor": 656, "organs[1].look.groundTint": 668, "organs[1].look.colorVariation": 672, "organs[1].look.translucency": 676, "organs[1].look.gloss": 680, "organs[1].look.dryness": 684, "organs[1].look.shape": 688, "organs[1].look.fold": 692, "organs[1].look.firstOrgan": 696, "organs[1].look.organKinds": 700, "organs[1].count": 704, "organs[1].place": 712, "organs[1].pitch": 720, "organs[1].size": 728, "organs[1].width": 736, "organs[1].azimuth": 740, "organs[1].turn": 744, "organs[1].bend": 748, "organs[1].leg": 752, "organs[1].variation": 756, "organs[2].look.rootColor": 768, "organs[2].look.tipThreshold": 780, "organs[2].look.tipColor": 784, "organs[2].look.groundTint": 796, "organs[2].look.colorVariation": 800, "organs[2].look.translucency": 804, "organs[2].look.gloss": 808, "organs[2].look.dryness": 812, "organs[2].look.shape": 816, "organs[2].look.fold": 820, "organs[2].look.firstOrgan": 824, "organs[2].look.organKinds": 828, "organs[2].count": 832, "organs[2].place": 840, "organs[2].pitch": 848, "organs[2].size": 856, "organs[2].width": 864, "organs[2].azimuth": 868, "organs[2].turn": 872, "organs[2].bend": 876, "organs[2].leg": 880, "organs[2].variation": 884, "organs[3].look.rootColor": 896, "organs[3].look.tipThreshold": 908, "organs[3].look.tipColor": 912, "organs[3].look.groundTint": 924, "organs[3].look.colorVariation": 928, "organs[3].look.translucency": 932, "organs[3].look.gloss": 936, "organs[3].look.dryness": 940, "organs[3].look.shape": 944, "organs[3].look.fold": 948, "organs[3].look.firstOrgan": 952, "organs[3].look.organKinds": 956, "organs[3].count": 960, "organs[3].place": 968, "organs[3].pitch": 976, "organs[3].size": 984, "organs[3].width": 992, "organs[3].azimuth": 996, "organs[3].turn": 1e3, "organs[3].bend": 1004, "organs[3].leg": 1008, "organs[3].variation": 1012, "organs[4].look.rootColor": 1024, "organs[4].look.tipThreshold": 1036, "organs[4].look.tipColor": 1040, "organs[4].look.groundTint": 1052, "organs[4].look.colorVariation": 1056, "organs[4].look.translucency": 1060, "organs[4].look.gloss": 1064, "organs[4].look.dryness": 1068, "organs[4].look.shape": 1072, "organs[4].look.fold": 1076, "organs[4].look.firstOrgan": 1080, "organs[4].look.organKinds": 1084, "organs[4].count": 1088, "organs[4].place": 1096, "organs[4].pitch": 1104, "organs[4].size": 1112, "organs[4].width": 1120, "organs[4].azimuth": 1124, "organs[4].turn": 1128, "organs[4].bend": 1132, "organs[4].leg": 1136, "organs[4].variation": 1140, "organs[5].look.rootColor": 1152, "organs[5].look.tipThreshold": 1164, "organs[5].look.tipColor": 1168, "organs[5].look.groundTint": 1180, "organs[5].look.colorVariation": 1184, "organs[5].look.translucency": 1188, "organs[5].look.gloss": 1192, "organs[5].look.dryness": 1196, "organs[5].look.shape": 1200, "organs[5].look.fold": 1204, "organs[5].look.firstOrgan": 1208, "organs[5].look.organKinds": 1212, "organs[5].count": 1216, "organs[5].place": 1224, "organs[5].pitch": 1232, "organs[5].size": 1240, "organs[5].width": 1248, "organs[5].azimuth": 1252, "organs[5].turn": 1256, "organs[5].bend": 1260, "organs[5].leg": 1264, "organs[5].variation": 1268, "organs[6].look.rootColor": 1280, "organs[6].look.tipThreshold": 1292, "organs[6].look.tipColor": 1296, "organs[6].look.groundTint": 1308, "organs[6].look.colorVariation": 1312, "organs[6].look.translucency": 1316, "organs[6].look.gloss": 1320, "organs[6].look.dryness": 1324, "organs[6].look.shape": 1328, "organs[6].look.fold": 1332, "organs[6].look.firstOrgan": 1336, "organs[6].look.organKinds": 1340, "organs[6].count": 1344, "organs[6].place": 1352, "organs[6].pitch": 1360, "organs[6].size": 1368, "organs[6].width": 1376, "organs[6].azimuth": 1380, "organs[6].turn": 1384, "organs[6].bend": 1388, "organs[6].leg": 1392, "organs[6].variation": 1396, "organs[7].look.rootColor": 1408, "organs[7].look.tipThreshold": 1420, "organs[7].look.tipColor": 1424, "organs[7].look.groundTint": 1436, "organs[7].look.colorVariation": 1440, "organs[7].look.translucency": 1444, "organs[7].look.gloss": 1448, "organs[7].look.dryness": 1452, "organs[7].look.shape": 1456, "organs[7].look.fold": 1460, "organs[7].look.firstOrgan": 1464, "organs[7].look.organKinds": 1468, "organs[7].count": 1472, "organs[7].place": 1480, "organs[7].pitch": 1488, "organs[7].size": 1496, "organs[7].width": 1504, "organs[7].azimuth": 1508, "organs[7].turn": 1512, "organs[7].bend": 1516, "organs[7].leg": 1520, "organs[7].variation": 1524, "organs[8].look.rootColor": 1536, "organs[8].look.tipThreshold": 1548, "organs[8].look.tipColor": 1552, "organs[8].look.groundTint": 1564, "organs[8].look.colorVariation": 1568, "organs[8].look.translucency": 1572, "organs[8].look.gloss": 1576, "organs[8].look.dryness": 1580, "organs[8].look.shape": 1584, "organs[8].look.fold": 1588, "organs[8].look.firstOrgan": 1592, "organs[8].look.organKinds": 1596, "organs[8].count": 1600, "organs[8].place": 1608, "organs[8].pitch": 1616, "organs[8].size": 1624, "organs[8].width": 1632, "organs[8].azimuth": 1636, "organs[8].turn": 1640, "organs[8].bend": 1644, "organs[8].leg": 1648, "organs[8].variation": 1652, "organs[9].look.rootColor": 1664, "organs[9].look.tipThreshold": 1676, "organs[9].look.tipColor": 1680, "organs[9].look.groundTint": 1692, "organs[9].look.colorVariation": 1696, "organs[9].look.translucency": 1700, "organs[9].look.gloss": 1704, "organs[9].look.dryness": 1708, "organs[9].look.shape": 1712, "organs[9].look.fold": 1716, "organs[9].look.firstOrgan": 1720, "organs[9].look.organKinds": 1724, "organs[9].count": 1728, "organs[9].place": 1736, "organs[9].pitch": 1744, "organs[9].size": 1752, "organs[9].width": 1760, "organs[9].azimuth": 1764, "organs[9].turn": 1768, "organs[9].bend": 1772, "organs[9].leg": 1776, "organs[9].variation": 1780, "organs[10].look.rootColor": 1792, "organs[10].look.tipThreshold": 1804, "organs[10].look.tipColor": 1808, "organs[10].look.groundTint": 1820, "organs[10].look.colorVariation": 1824, "organs[10].look.translucency": 1828, "organs[10].look.gloss": 1832, "organs[10].look.dryness": 1836, "organs[10].look.shape": 1840, "organs[10].look.fold": 1844, "organs[10].look.firstOrgan": 1848, "organs[10].look.organKinds": 1852, "organs[10].count": 1856, "organs[10].place": 1864, "organs[10].pitch": 1872, "organs[10].size": 1880, "organs[10].width": 1888, "organs[10].azimuth": 1892, "organs[10].turn": 1896, "organs[10].bend": 1900, "organs[10].leg": 1904, "organs[10].variation": 1908, "organs[11].look.rootColor": 1920, "organs[11].look.tipThreshold": 1932, "organs[11].look.tipColor": 1936, "organs[11].look.groundTint": 1948, "organs[11].look.colorVariation": 1952, "organs[11].look.translucency": 1956, "organs[11].look.gloss": 1960, "organs[11].look.dryness": 1964, "organs[11].look.shape": 1968, "organs[11].look.fold": 1972, "organs[11].look.firstOrgan": 1976, "organs[11].look.organKinds": 1980, "organs[11].count": 1984, "organs[11].place": 1992, "organs[11].pitch": 2e3, "organs[11].size": 2008, "organs[11].width": 2016, "organs[11].azimuth": 2020, "organs[11].turn": 2024, "organs[11].bend": 2028, "organs[11].leg": 2032, "organs[11].variation": 2036, "organs[12].look.rootColor": 2048, "organs[12].look.tipThreshold": 2060, "organs[12].look.tipColor": 2064, "organs[12].look.groundTint": 2076, "organs[12].look.colorVariation": 2080, "organs[12].look.translucency": 2084, "organs[12].look.gloss": 2088, "organs[12].look.dryness": 2092, "organs[12].look.shape": 2096, "organs[12].look.fold": 2100, "organs[12].look.firstOrgan": 2104, "organs[12].look.organKinds": 2108, "organs[12].count": 2112, "organs[12].place": 2120, "organs[12].pitch": 2128, "organs[12].size": 2136, "organs[12].width": 2144, "organs[12].azimuth": 2148, "organs[12].turn": 2152, "organs[12].bend": 2156, "organs[12].leg": 2160, "organs[12].variation": 2164, "organs[13].look.rootColor": 2176, "organs[13].look.tipThreshold": 2188, "organs[13].look.tipColor": 2192, "organs[13].look.groundTint": 2204, "organs[13].look.colorVariation": 2208, "organs[13].look.translucency": 2212, "organs[13].look.gloss": 2216, "organs[13].look.dryness": 2220, "organs[13].look.shape": 2224, "organs[13].look.fold": 2228, "organs[13].look.firstOrgan": 2232, "organs[13].look.organKinds": 2236, "organs[13].count": 2240, "organs[13].place": 2248, "organs[13].pitch": 2256, "organs[13].size": 2264, "organs[13].width": 2272, "organs[13].azimuth": 2276, "organs[13].turn": 2280, "organs[13].bend": 2284, "organs[13].leg": 2288, "organs[13].variation": 2292, "organs[14].look.rootColor": 2304, "organs[14].look.tipThreshold": 2316, "organs[14].look.tipColor": 2320, "organs[14].look.groundTint": 2332, "organs[14].look.colorVariation": 2336, "organs[14].look.translucency": 2340, "organs[14].look.gloss": 2344, "organs[14].look.dryness": 2348, "organs[14].look.shape": 2352, "organs[14].look.fold": 2356, "organs[14].look.firstOrgan": 2360, "organs[14].look.organKinds": 2364, "organs[14].count": 2368, "organs[14].place": 2376, "organs[14].pitch": 2384, "organs[14].size": 2392, "organs[14].width": 2400, "organs[14].azimuth": 2404, "organs[14].turn": 2408, "organs[14].bend": 2412, "organs[14].leg": 2416, "organs[14].variation": 2420, "organs[15].look.rootColor": 2432, "organs[15].look.tipThreshold": 2444, "organs[15].look.tipColor": 2448, "organs[15].look.groundTint": 2460, "organs[15].look.colorVariation": 2464, "organs[15].look.translucency": 2468, "organs[15].look.gloss": 2472, "organs[15].look.dryness": 2476, "organs[15].look.shape": 2480, "organs[15].look.fold": 2484, "organs[15].look.firstOrgan": 2488, "organs[15].look.organKinds": 2492, "organs[15].count": 2496, "organs[15].place": 2504, "organs[15].pitch": 2512, "organs[15].size": 2520, "organs[15].width": 2528, "organs[15].azimuth": 2532, "organs[15].turn": 2536, "organs[15].bend": 2540, "organs[15].leg": 2544, "organs[15].variation": 2548, "organs[16].look.rootColor": 2560, "organs[16].look.tipThreshold": 2572, "organs[16].look.tipColor": 2576, "organs[16].look.groundTint": 2588, "organs[16].look.colorVariation": 2592, "organs[16].look.translucency": 2596, "organs[16].look.gloss": 2600, "organs[16].look.dryness": 2604, "organs[16].look.shape": 2608, "organs[16].look.fold": 2612, "organs[16].look.firstOrgan": 2616, "organs[16].look.organKinds": 2620, "organs[16].count": 2624, "organs[16].place": 2632, "organs[16].pitch": 2640, "organs[16].size": 2648, "organs[16].width": 2656, "organs[16].azimuth": 2660, "organs[16].turn": 2664, "organs[16].bend": 2668, "organs[16].leg": 2672, "organs[16].variation": 2676, "organs[17].look.rootColor": 2688, "organs[17].look.tipThreshold": 2700, "organs[17].look.tipColor": 2704, "organs[17].look.groundTint": 2716, "organs[17].look.colorVariation": 2720, "organs[17].look.translucency": 2724, "organs[17].look.gloss": 2728, "organs[17].look.dryness": 2732, "organs[17].look.shape": 2736, "organs[17].look.fold": 2740, "organs[17].look.firstOrgan": 2744, "organs[17].look.organKinds": 2748, "organs[17].count": 2752, "organs[17].place": 2760, "organs[17].pitch": 2768, "organs[17].size": 2776, "organs[17].width": 2784, "organs[17].azimuth": 2788, "organs[17].turn": 2792, "organs[17].bend": 2796, "organs[17].leg": 2800, "organs[17].variation": 2804, "organs[18].look.rootColor": 2816, "organs[18].look.tipThreshold": 2828, "organs[18].look.tipColor": 2832, "organs[18].look.groundTint": 2844, "organs[18].look.colorVariation": 2848, "organs[18].look.translucency": 2852, "organs[18].look.gloss": 2856, "organs[18].look.dryness": 2860, "organs[18].look.shape": 2864, "organs[18].look.fold": 2868, "organs[18].look.firstOrgan": 2872, "organs[18].look.organKinds": 2876, "organs[18].count": 2880, "organs[18].place": 2888, "organs[18].pitch": 2896, "organs[18].size": 2904, "organs[18].width": 2912, "organs[18].azimuth": 2916, "organs[18].turn": 2920, "organs[18].bend": 2924, "organs[18].leg": 2928, "organs[18].variation": 2932, "organs[19].look.rootColor": 2944, "organs[19].look.tipThreshold": 2956, "organs[19].look.tipColor": 2960, "organs[19].look.groundTint": 2972, "organs[19].look.colorVariation": 2976, "organs[19].look.translucency": 2980, "organs[19].look.gloss": 2984, "organs[19].look.dryness": 2988, "organs[19].look.shape": 2992, "organs[19].look.fold": 2996, "organs[19].look.firstOrgan": 3e3, "organs[19].look.organKinds": 3004, "organs[19].count": 3008, "organs[19].place": 3016, "organs[19].pitch": 3024, "organs[19].size": 3032, "organs[19].width": 3040, "organs[19].azimuth": 3044, "organs[19].turn": 3048, "organs[19].bend": 3052, "organs[19].leg": 3056, "organs[19].variation": 3060, "organs[20].look.rootColor": 3072, "organs[20].look.tipThreshold": 3084, "organs[20].look.tipColor": 3088, "organs[20].look.groundTint": 3100, "organs[20].look.colorVariation": 3104, "organs[20].look.translucency": 3108, "organs[20].look.gloss": 3112, "organs[20].look.dryness": 3116, "organs[20].look.shape": 3120, "organs[20].look.fold": 3124, "organs[20].look.firstOrgan": 3128, "organs[20].look.organKinds": 3132, "organs[20].count": 3136, "organs[20].place": 3144, "organs[20].pitch": 3152, "organs[20].size": 3160, "organs[20].width": 3168, "organs[20].azimuth": 3172, "organs[20].turn": 3176, "organs[20].bend": 3180, "organs[20].leg": 3184, "organs[20].variation": 3188, "organs[21].look.rootColor": 3200, "organs[21].look.tipThreshold": 3212, "organs[21].look.tipColor": 3216, "organs[21].look.groundTint": 3228, "organs[21].look.colorVariation": 3232, "organs[21].look.translucency": 3236, "organs[21].look.gloss": 3240, "organs[21].look.dryness": 3244, "organs[21].look.shape": 3248, "organs[21].look.fold": 3252, "organs[21].look.firstOrgan": 3256, "organs[21].look.organKinds": 3260, "organs[21].count": 3264, "organs[21].place": 3272, "organs[21].pitch": 3280, "organs[21].size": 3288, "organs[21].width": 3296, "organs[21].azimuth": 3300, "organs[21].turn": 3304, "organs[21].bend": 3308, "organs[21].leg": 3312, "organs[21].variation": 3316, "organs[22].look.rootColor": 3328, "organs[22].look.tipThreshold": 3340, "organs[22].look.tipColor": 3344, "organs[22].look.groundTint": 3356, "organs[22].look.colorVariation": 3360, "organs[22].look.translucency": 3364, "organs[22].look.gloss": 3368, "organs[22].look.dryness": 3372, "organs[22].look.shape": 3376, "organs[22].look.fold": 3380, "organs[22].look.firstOrgan": 3384, "organs[22].look.organKinds": 3388, "organs[22].count": 3392, "organs[22].place": 3400, "organs[22].pitch": 3408, "organs[22].size": 3416, "organs[22].width": 3424, "organs[22].azimuth": 3428, "organs[22].turn": 3432, "organs[22].bend": 3436, "organs[22].leg": 3440, "organs[22].variation": 3444, "organs[23].look.rootColor": 3456, "organs[23].look.tipThreshold": 3468, "organs[23].look.tipColor": 3472, "organs[23].look.groundTint": 3484, "organs[23].look.colorVariation": 3488, "organs[23].look.translucency": 3492, "organs[23].look.gloss": 3496, "organs[23].look.dryness": 3500, "organs[23].look.shape": 3504, "organs[23].look.fold": 3508, "organs[23].look.firstOrgan": 3512, "organs[23].look.organKinds": 3516, "organs[23].count": 3520, "organs[23].place": 3528, "organs[23].pitch": 3536, "organs[23].size": 3544, "organs[23].width": 3552, "organs[23].azimuth": 3556, "organs[23].turn": 3560, "organs[23].bend": 3564, "organs[23].leg": 3568, "organs[23].variation": 3572, "organs[24].look.rootColor": 3584, "organs[24].look.tipThreshold": 3596, "organs[24].look.tipColor": 3600, "organs[24].look.groundTint": 3612, "organs[24].look.colorVariation": 3616, "organs[24].look.translucency": 3620, "organs[24].look.gloss": 3624, "organs[24].look.dryness": 3628, "organs[24].look.shape": 3632, "organs[24].look.fold": 3636, "organs[24].look.firstOrgan": 3640, "organs[24].look.organKinds": 3644, "organs[24].count": 3648, "organs[24].place": 3656, "organs[24].pitch": 3664, "organs[24].size": 3672, "organs[24].width": 3680, "organs[24].azimuth": 3684, "organs[24].turn": 3688, "organs[24].bend": 3692, "organs[24].leg": 3696, "organs[24].variation": 3700, "organs[25].look.rootColor": 3712, "organs[25].look.tipThreshold": 3724, "organs[25].look.tipColor": 3728, "organs[25].look.groundTint": 3740, "organs[25].look.colorVariation": 3744, "organs[25].look.translucency": 3748, "organs[25].look.gloss": 3752, "organs[25].look.dryness": 3756, "organs[25].look.shape": 3760, "organs[25].look.fold": 3764, "organs[25].look.firstOrgan": 3768, "organs[25].look.organKinds": 3772, "organs[25].count": 3776, "organs[25].place": 3784, "organs[25].pitch": 3792, "organs[25].size": 3800, "organs[25].width": 3808, "organs[25].azimuth": 3812, "organs[25].turn": 3816, "organs[25].bend": 3820, "organs[25].leg": 3824, "organs[25].variation": 3828, "organs[26].look.rootColor": 3840, "organs[26].look.tipThreshold": 3852, "organs[26].look.tipColor": 3856, "organs[26].look.groundTint": 3868, "organs[26].look.colorVariation": 3872, "organs[26].look.translucency": 3876, "organs[26].look.gloss": 3880, "organs[26].look.dryness": 3884, "organs[26].look.shape": 3888, "organs[26].look.fold": 3892, "organs[26].look.firstOrgan": 3896, "organs[26].look.organKinds": 3900, "organs[26].count": 3904, "organs[26].place": 3912, "organs[26].pitch": 3920, "organs[26].size": 3928, "organs[26].width": 3936, "organs[26].azimuth": 3940, "organs[26].turn": 3944, "organs[26].bend": 3948, "organs[26].leg": 3952, "organs[26].variation": 3956, "organs[27].look.rootColor": 3968, "organs[27].look.tipThreshold": 3980, "organs[27].look.tipColor": 3984, "organs[27].look.groundTint": 3996, "organs[27].look.colorVariation": 4e3, "organs[27].look.translucency": 4004, "organs[27].look.gloss": 4008, "organs[27].look.dryness": 4012, "organs[27].look.shape": 4016, "organs[27].look.fold": 4020, "organs[27].look.firstOrgan": 4024, "organs[27].look.organKinds": 4028, "organs[27].count": 4032, "organs[27].place": 4040, "organs[27].pitch": 4048, "organs[27].size": 4056, "organs[27].width": 4064, "organs[27].azimuth": 4068, "organs[27].turn": 4072, "organs[27].bend": 4076, "organs[27].leg": 4080, "organs[27].variation": 4084, "organs[28].look.rootColor": 4096, "organs[28].look.tipThreshold": 4108, "organs[28].look.tipColor": 4112, "organs[28].look.groundTint": 4124, "organs[28].look.colorVariation": 4128, "organs[28].look.translucency": 4132, "organs[28].look.gloss": 4136, "organs[28].look.dryness": 4140, "organs[28].look.shape": 4144, "organs[28].look.fold": 4148, "organs[28].look.firstOrgan": 4152, "organs[28].look.organKinds": 4156, "organs[28].count": 4160, "organs[28].place": 4168, "organs[28].pitch": 4176, "organs[28].size": 4184, "organs[28].width": 4192, "organs[28].azimuth": 4196, "organs[28].turn": 4200, "organs[28].bend": 4204, "organs[28].leg": 4208, "organs[28].variation": 4212, "organs[29].look.rootColor": 4224, "organs[29].look.tipThreshold": 4236, "organs[29].look.tipColor": 4240, "organs[29].look.groundTint": 4252, "organs[29].look.colorVariation": 4256, "organs[29].look.translucency": 4260, "organs[29].look.gloss": 4264, "organs[29].look.dryness": 4268, "organs[29].look.shape": 4272, "organs[29].look.fold": 4276, "organs[29].look.firstOrgan": 4280, "organs[29].look.organKinds": 4284, "organs[29].count": 4288, "organs[29].place": 4296, "organs[29].pitch": 4304, "organs[29].size": 4312, "organs[29].width": 4320, "organs[29].azimuth": 4324, "organs[29].turn": 4328, "organs[29].bend": 4332, "organs[29].leg": 4336, "organs[29].variation": 4340, "organs[30].look.rootColor": 4352, "organs[30].look.tipThreshold": 4364, "organs[30].look.tipColor": 4368, "organs[30].look.groundTint": 4380, "organs[30].look.colorVariation": 4384, "organs[30].look.translucency": 4388, "organs[30].look.gloss": 4392, "organs[30].look.dryness": 4396, "organs[30].look.shape": 4400, "organs[30].look.fold": 4404, "organs[30].look.firstOrgan": 4408, "organs[30].look.organKinds": 4412, "organs[30].count": 4416, "organs[30].place": 4424, "organs[30].pitch": 4432, "organs[30].size": 4440, "organs[30].width": 4448, "organs[30].azimuth": 4452, "organs[30].turn": 4456, "organs[30].bend": 4460, "organs[30].leg": 4464, "organs[30].variation": 4468, "organs[31].look.rootColor": 4480, "organs[31].look.tipThreshold": 4492, "organs[31].look.tipColor": 4496, "organs[31].look.groundTint": 4508, "organs[31].look.colorVariation": 4512, "organs[31].look.translucency": 4516, "organs[31].look.gloss": 4520, "organs[31].look.dryness": 4524, "organs[31].look.shape": 4528, "organs[31].look.fold": 4532, "organs[31].look.firstOrgan": 4536, "organs[31].look.organKinds": 4540, "organs[31].count": 4544, "organs[31].place": 4552, "organs[31].pitch": 4560, "organs[31].size": 4568, "organs[31].width": 4576, "organs[31].azimuth": 4580, "organs[31].turn": 4584, "organs[31].bend": 4588, "organs[31].leg": 4592, "organs[31].variation": 4596 };
 
 // src/generated/shaders.ts
+var shaders_exports = {};
+__export(shaders_exports, {
+  bladeFrag: () => bladeFrag,
+  bladeShadowFrag: () => bladeShadowFrag,
+  bladeShadowVert: () => bladeShadowVert,
+  bladeVert: () => bladeVert,
+  filmFrag: () => filmFrag,
+  filmVert: () => filmVert,
+  groundFrag: () => groundFrag,
+  groundVert: () => groundVert,
+  moveFrag: () => moveFrag,
+  moveVert: () => moveVert,
+  nothingFrag: () => nothingFrag,
+  poseVert: () => poseVert,
+  skyFrag: () => skyFrag,
+  skyVert: () => skyVert,
+  sunVert: () => sunVert
+});
 var pieces = [
   // web/shaders/blades.glsl
   "#ifndef SWARD_WEB_BLADES_GLSL\n#define SWARD_WEB_BLADES_GLSL\n",
@@ -3110,11 +3133,12 @@ var Picture = class {
 // src/render/tree.ts
 var groupBlades = 32;
 var classes = [
-  { segments: 2, pixels: 5, columns: 2 },
-  { segments: 4, pixels: 26, columns: 2 },
-  { segments: 8, pixels: 120, columns: 3 },
-  { segments: 16, pixels: Infinity, columns: 3 }
+  { segments: 16, above: 120, columns: 3 },
+  { segments: 8, above: 26, columns: 3 },
+  { segments: 4, above: 5, columns: 2 },
+  { segments: 2, above: -1, columns: 2 }
 ];
+var shadowClass = 2;
 var lodShare = (pixels, threshold) => Math.min(Math.max(pixels / threshold, 1 / 256), lodFullShare);
 var PatchTree = class {
   constructor(field) {
@@ -3190,7 +3214,7 @@ var PatchTree = class {
   groupsOf(view, most, oneClass = -1) {
     const patches = this.field.patches;
     const f = patches.floats;
-    const lists = classes.map(() => []);
+    const seen = [];
     const wanted = [];
     let blades = 0;
     let end = 0;
@@ -3219,10 +3243,16 @@ var PatchTree = class {
       }
       if (blades + count > most) continue;
       blades += count;
+      seen.push({ patch: p, count, distance: nearest });
+    }
+    seen.sort((a, b) => a.distance - b.distance);
+    const lists = classes.map(() => []);
+    for (const { patch, count, distance } of seen) {
+      const at = patch * patchWords;
       const height = f[at + patchWord.heightLow] + 255 * f[at + patchWord.heightStep];
-      const pixels = height * view.pixelsPerUnit / Math.max(nearest, 1e-6);
-      const kind = oneClass >= 0 ? oneClass : classes.findIndex((one) => pixels <= one.pixels);
-      for (let i = 0; i < count; i += groupBlades) lists[kind].push(p, i, Math.min(groupBlades, count - i));
+      const pixels = height * view.pixelsPerUnit / Math.max(distance, 1e-6);
+      const kind = oneClass >= 0 ? oneClass : classes.findIndex((one) => pixels > one.above);
+      for (let i = 0; i < count; i += groupBlades) lists[kind].push(patch, i, Math.min(groupBlades, count - i));
     }
     const begins = [0];
     for (const list of lists) begins.push(begins[begins.length - 1] + list.length / 3);
@@ -3256,7 +3286,6 @@ var captured = ["recordV0", "recordV1", "recordV2", "recordSurface", "recordFram
 var recordBytes = 16 * captured.length;
 var patchTexels = 7;
 var patchesOfRow = 256;
-var shadowClass = 1;
 var usualMax = 4e5;
 var Renderer = class {
   /** `cover`: what `sward export` wrote into field.cover; without it blades do not shade one another. */
@@ -3315,12 +3344,21 @@ var Renderer = class {
     };
     this.parts.uploadPages();
     const most = input.maxBlades ?? usualMax;
-    const groups = this.tree.groupsOf(treeView, Infinity);
-    if (groups.blades > most) this.lodThreshold *= 1.1;
-    else if (this.lodThreshold > frameSettings.lodThreshold && groups.blades < 0.7 * most)
-      this.lodThreshold = Math.max(this.lodThreshold / 1.1, frameSettings.lodThreshold);
+    let groups = this.tree.groupsOf(treeView, Infinity);
+    const usual = frameSettings.lodThreshold;
+    for (let i = 0; i < 12; ++i) {
+      const ratio = Math.sqrt(groups.blades / most);
+      if (ratio > 1.15) this.lodThreshold *= Math.min(ratio, 2);
+      else if (ratio < 0.7 && this.lodThreshold > usual)
+        this.lodThreshold = Math.max(this.lodThreshold * Math.max(1.2 * ratio, 0.5), usual);
+      else break;
+      treeView.lodThreshold = frame.lodThreshold = this.lodThreshold;
+      groups = this.tree.groupsOf(treeView, Infinity);
+    }
+    if (groups.blades > most) this.lodThreshold *= 1.02;
+    else if (groups.blades < 0.8 * most) this.lodThreshold = Math.max(this.lodThreshold / 1.02, usual);
     const rows = shadowRows(view, input.camera, frame.light.sunDirection, frame.shadowDistance);
-    const casters = frame.light.sunColor[0] > 0 ? this.tree.groupsOf({ ...treeView, planes: shadowPlanes(rows), minWidth: 0 }, 6e4, shadowClass) : void 0;
+    const casters = frame.light.sunColor[0] > 0 ? this.tree.groupsOf({ ...treeView, planes: shadowPlanes(rows), minWidth: 0 }, most, shadowClass) : void 0;
     this.parts.draw(frame, groups, casters, shadowPlanes(rows), input.elapsed, canvas.width, canvas.height, input.isFine ?? false);
     return { blades: groups.blades, missing: groups.missing };
   }
@@ -3541,14 +3579,14 @@ var Parts = class {
       const place = isFine ? samplePlaces[sample] : [0.5, 0.5];
       const jitter = [(2 * place[0] - 1) / width, (2 * place[1] - 1) / height];
       picture.begin();
-      this.ground.use();
-      gl.uniform2fv(this.ground.place("jitter"), jitter);
-      this.drawGround();
       this.blade.use();
       gl.uniform2fv(this.blade.place("jitter"), jitter);
       gl.uniform1ui(this.blade.place("samples"), picture.resolved.length);
       gl.uniform1ui(this.blade.place("sampleOfPixel"), sample);
       this.drawRibbons(this.blade, groups);
+      this.ground.use();
+      gl.uniform2fv(this.ground.place("jitter"), jitter);
+      this.drawGround();
       this.sky.use();
       gl.bindVertexArray(this.nothing);
       gl.drawArrays(gl.TRIANGLES, 0, 3);
@@ -4103,7 +4141,7 @@ var Panel = class {
 var firstPages = 384;
 var pagesAtOnce = 128;
 var requestsAtOnce = 4;
-var minBlades = 3e4;
+var minBlades = 2e4;
 var maxBlades = 2e6;
 var longestFrame = 0.1;
 var rest = 250;
@@ -4166,7 +4204,7 @@ var FieldView = class {
   changedAt = 0;
   isRefined = false;
   requests = 0;
-  budget = 3e5;
+  budget = 15e4;
   isLost = false;
   isStopped = false;
   observer;
@@ -4238,7 +4276,8 @@ var FieldView = class {
       elapsed,
       light: this.hour === 9 ? void 0 : lightAt(azimuth, elevation, this.up),
       wind: this.wind,
-      maxBlades: this.budget * this.detail,
+      // A picture at rest may take longer.
+      maxBlades: this.budget * this.detail * (isFine ? 2 : 1),
       isFine
     });
     ++this.frames;
@@ -4247,8 +4286,9 @@ var FieldView = class {
   /** Fewer blades where frames take long, more where they do not. */
   adapt(since) {
     this.frameTime = this.frameTime === 0 ? since : 0.9 * this.frameTime + 0.1 * since;
-    if (this.frameTime > 45) this.budget = Math.max(0.97 * this.budget, minBlades);
-    else if (this.frameTime < 20) this.budget = Math.min(1.01 * this.budget, maxBlades);
+    const slow = clamp(40 / this.frameTime, 0.3, 0.97);
+    if (this.frameTime > 45) this.budget = Math.max(slow * this.budget, minBlades);
+    else if (this.frameTime < 20) this.budget = Math.min(1.02 * this.budget, maxBlades);
   }
   /** Fetches what is visible and not here, then the rest. */
   load(missing) {
@@ -4329,6 +4369,7 @@ export {
   patchWord,
   patchWords,
   readField,
+  shaders_exports as shaders,
   showField,
   usualSun,
   xxh3

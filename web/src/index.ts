@@ -18,3 +18,5 @@ export { fittingCamera } from "./render/camera";
 export { FieldView, showField } from "./page/page";
 export type { ShowOptions } from "./page/page";
 export type { Mode } from "./page/controls";
+/** The stages in GLSL ES, for tests. */
+export * as shaders from "./generated/shaders";

@@ -32,34 +32,41 @@ FORGOTTEN = 600.0  # [s] after which an unreachable registry is tried again
 
 def modules():
     """The folder of the programs; installs them if this is the first test that asks."""
+    return installed(RECIPE, "")
+
+
+def installed(recipe, name):
+    """The folder of the packages that package.json in `recipe` names, in a folder of this name below FOLDER; installs
+    them if this is the first test that asks."""
     needs("npm packages")
-    FOLDER.mkdir(parents=True, exist_ok=True)
-    with open(FOLDER / "lock", "w", encoding="ascii") as lock:
+    folder = FOLDER / name
+    folder.mkdir(parents=True, exist_ok=True)
+    with open(folder / "lock", "w", encoding="ascii") as lock:
         fcntl.flock(lock, fcntl.LOCK_EX)
-        wanted = (RECIPE / "package-lock.json").read_bytes()
-        done, unreachable = FOLDER / "installed-lock.json", FOLDER / "unreachable"
+        wanted = (recipe / "package-lock.json").read_bytes()
+        done, unreachable = folder / "installed-lock.json", folder / "unreachable"
         if not done.is_file() or done.read_bytes() != wanted:
             # One test waits for the network in vain, and not each.
             if unreachable.is_file() and time.time() - unreachable.stat().st_mtime < FORGOTTEN:
                 leave_out("npm packages", unreachable.read_text(encoding="utf-8"))
-            if reason := install():
+            if reason := install(recipe, folder):
                 unreachable.write_text(reason, encoding="utf-8")
                 leave_out("npm packages", reason)
             done.write_bytes(wanted)
-    return FOLDER / "node_modules"
+    return folder / "node_modules"
 
 
-def install():
+def install(recipe, folder):
     """Fetches them; if that cannot be done here, returns why."""
     for name in ("package.json", "package-lock.json"):
-        shutil.copy(RECIPE / name, FOLDER / name)
+        shutil.copy(recipe / name, folder / name)
     # Without a network this must end in seconds, not in npm's usual minutes.
     command = ["npm", "ci", "--ignore-scripts", "--no-audit", "--no-fund", "--fetch-retries=1",
                "--fetch-retry-mintimeout=1000", "--fetch-retry-maxtimeout=2000",
                "--fetch-timeout=30000", f"--cache={FOLDER / 'cache'}"]
-    where = f"into {FOLDER}; SWARD_NODE_FOLDER may name a folder that has them"
+    where = f"into {folder}; SWARD_NODE_FOLDER may name a folder that has them"
     try:
-        done = subprocess.run(command, cwd=FOLDER, stdin=subprocess.DEVNULL, capture_output=True,
+        done = subprocess.run(command, cwd=folder, stdin=subprocess.DEVNULL, capture_output=True,
                               text=True, timeout=100)
     except FileNotFoundError:
         return f"there is no npm to fetch them {where}"

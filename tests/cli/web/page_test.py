@@ -6,6 +6,7 @@ import csv
 import json
 import os
 import re
+import shutil
 import signal
 import subprocess
 import sys
@@ -69,6 +70,35 @@ class Page(CliTest):
         """Compressed, as servers send it."""
         import gzip
         self.assertLess(len(gzip.compress((ROOT / "web/dist/sward.js").read_bytes(), 9)), 150_000)
+
+
+class Shaders(CliTest):
+    def test_the_script_has_the_shaders_of_the_repository(self):
+        """They are the viewer's text in GLSL ES; a change of that text belongs to a new build of the script."""
+        needs("node")
+        done = subprocess.run(["node", str(HERE / "shader_texts.mjs"), str(self.folder)], capture_output=True, text=True)
+        self.assertEqual(done.returncode, 0, done.stderr)
+        self.assertEqual(json.loads(done.stdout), [], "other text than shaders/: run `npm ci && npm run build` in web/")
+        stages = sorted(self.folder.iterdir())
+        self.assertGreater(len(stages), 10)
+        for stage in stages:
+            done = subprocess.run(["glslangValidator", str(stage)], capture_output=True, text=True)
+            self.assertEqual(done.returncode, 0, f"{stage.name} as GLSL ES: {done.stdout}")
+
+
+class LongPackage(CliTest):
+    def test_the_script_is_what_npm_builds(self):
+        """Types are right, too."""
+        from export.node_readers import installed
+        packages = installed(ROOT / "web", "web")
+        shutil.copytree(ROOT / "web", self.folder / "web", ignore=shutil.ignore_patterns("node_modules", "generated", "dist"))
+        (self.folder / "shaders").symlink_to(ROOT / "shaders")
+        (self.folder / "web/node_modules").symlink_to(packages)
+        for command in (["node", "build.mjs"], ["node", "node_modules/typescript/bin/tsc", "--noEmit", "-p", "."]):
+            done = subprocess.run(command, cwd=self.folder / "web", capture_output=True, text=True)
+            self.assertEqual(done.returncode, 0, done.stdout + done.stderr)
+        self.assertEqual((self.folder / "web/dist/sward.js").read_text(encoding="utf-8"),
+                         (ROOT / "web/dist/sward.js").read_text(encoding="utf-8"))
 
 
 class LongBrowser(CliTest):

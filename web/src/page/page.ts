@@ -5,7 +5,7 @@ import { fittingCamera } from "../render/camera";
 import { noCover, parseCoverFile } from "../render/cover";
 import { lightAt, usualSun } from "../render/light";
 import { Renderer } from "../render/renderer";
-import { scaled, size, sub, unit } from "../render/vector";
+import { clamp, scaled, size, sub, unit } from "../render/vector";
 import { Controls, Mode } from "./controls";
 import { GroundHeight } from "./ground_height";
 import { Panel } from "./panel";
@@ -27,7 +27,7 @@ const firstPages = 384;
 /** Pages that are asked for together, and requests at once. */
 const pagesAtOnce = 128;
 const requestsAtOnce = 4;
-const minBlades = 30_000;
+const minBlades = 20_000;
 const maxBlades = 2_000_000;
 /** Longest time between two frames that moves blades [s]: a tab that was hidden does not jump. */
 const longestFrame = 0.1;
@@ -55,7 +55,7 @@ export class FieldView {
   private changedAt = 0;
   private isRefined = false;
   private requests = 0;
-  private budget = 300_000;
+  private budget = 150_000;
   private isLost = false;
   private isStopped = false;
   private readonly observer: ResizeObserver;
@@ -177,7 +177,8 @@ export class FieldView {
       elapsed,
       light: this.hour === 9 ? undefined : lightAt(azimuth, elevation, this.up),
       wind: this.wind,
-      maxBlades: this.budget * this.detail,
+      // A picture at rest may take longer.
+      maxBlades: this.budget * this.detail * (isFine ? 2 : 1),
       isFine,
     });
     ++this.frames;
@@ -187,8 +188,10 @@ export class FieldView {
   /** Fewer blades where frames take long, more where they do not. */
   private adapt(since: number): void {
     this.frameTime = this.frameTime === 0 ? since : 0.9 * this.frameTime + 0.1 * since;
-    if (this.frameTime > 45) this.budget = Math.max(0.97 * this.budget, minBlades);
-    else if (this.frameTime < 20) this.budget = Math.min(1.01 * this.budget, maxBlades);
+    // A device that is far too slow gets far fewer at once.
+    const slow = clamp(40 / this.frameTime, 0.3, 0.97);
+    if (this.frameTime > 45) this.budget = Math.max(slow * this.budget, minBlades);
+    else if (this.frameTime < 20) this.budget = Math.min(1.02 * this.budget, maxBlades);
   }
 
   /** Fetches what is visible and not here, then the rest. */

@@ -16,7 +16,7 @@ import {
 } from "./frame";
 import { bindTexture, Gl, imageTexture, makeTarget, makeTexture, Picture, Program, samplePlaces, tableWidth, wordTable } from "./gl";
 import { Light, usualLight, turnedWith } from "./light";
-import { classes, groupBlades, Groups, meanBladeSize, PatchTree, TreeView } from "./tree";
+import { classes, groupBlades, Groups, meanBladeSize, PatchTree, shadowClass, TreeView } from "./tree";
 import { Box, scaled, unit } from "./vector";
 
 /** What a picture shows. */
@@ -47,7 +47,6 @@ const captured = ["recordV0", "recordV1", "recordV2", "recordSurface", "recordFr
 const recordBytes = 16 * captured.length;
 const patchTexels = 7;
 const patchesOfRow = 256;
-const shadowClass = 1;
 const usualMax = 400_000;
 
 /** Draws a field by WebGL 2. The shaders are the viewer's: see web/generate.mjs. */
@@ -112,15 +111,24 @@ export class Renderer {
     };
     this.parts.uploadPages();
     const most = input.maxBlades ?? usualMax;
-    const groups = this.tree.groupsOf(treeView, Infinity);
-    // Too many blades: leave out more of them until they fit, slowly so that nothing flickers.
-    if (groups.blades > most) this.lodThreshold *= 1.1;
-    else if (this.lodThreshold > frameSettings.lodThreshold && groups.blades < 0.7 * most)
-      this.lodThreshold = Math.max(this.lodThreshold / 1.1, frameSettings.lodThreshold);
+    let groups = this.tree.groupsOf(treeView, Infinity);
+    // Far too many blades, or far too few: change level of detail at once. Else slowly, so that nothing flickers.
+    const usual = frameSettings.lodThreshold;
+    for (let i = 0; i < 12; ++i) {
+      const ratio = Math.sqrt(groups.blades / most);
+      if (ratio > 1.15) this.lodThreshold *= Math.min(ratio, 2);
+      else if (ratio < 0.7 && this.lodThreshold > usual)
+        this.lodThreshold = Math.max(this.lodThreshold * Math.max(1.2 * ratio, 0.5), usual);
+      else break;
+      treeView.lodThreshold = frame.lodThreshold = this.lodThreshold;
+      groups = this.tree.groupsOf(treeView, Infinity);
+    }
+    if (groups.blades > most) this.lodThreshold *= 1.02;
+    else if (groups.blades < 0.8 * most) this.lodThreshold = Math.max(this.lodThreshold / 1.02, usual);
     const rows = shadowRows(view, input.camera, frame.light.sunDirection, frame.shadowDistance);
     const casters =
       frame.light.sunColor[0] > 0
-        ? this.tree.groupsOf({ ...treeView, planes: shadowPlanes(rows), minWidth: 0 }, 60_000, shadowClass)
+        ? this.tree.groupsOf({ ...treeView, planes: shadowPlanes(rows), minWidth: 0 }, most, shadowClass)
         : undefined;
     this.parts.draw(frame, groups, casters, shadowPlanes(rows), input.elapsed, canvas.width, canvas.height, input.isFine ?? false);
     return { blades: groups.blades, missing: groups.missing };
@@ -376,14 +384,15 @@ class Parts {
       const place = isFine ? samplePlaces[sample] : [0.5, 0.5];
       const jitter = [(2 * place[0] - 1) / width, (2 * place[1] - 1) / height];
       picture.begin();
-      this.ground.use();
-      gl.uniform2fv(this.ground.place("jitter"), jitter);
-      this.drawGround();
       this.blade.use();
       gl.uniform2fv(this.blade.place("jitter"), jitter);
       gl.uniform1ui(this.blade.place("samples"), picture.resolved.length);
       gl.uniform1ui(this.blade.place("sampleOfPixel"), sample);
       this.drawRibbons(this.blade, groups);
+      // Ground and sky are lit where no blade hides them.
+      this.ground.use();
+      gl.uniform2fv(this.ground.place("jitter"), jitter);
+      this.drawGround();
       this.sky.use();
       gl.bindVertexArray(this.nothing);
       gl.drawArrays(gl.TRIANGLES, 0, 3);

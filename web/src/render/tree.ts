@@ -17,13 +17,16 @@ export interface TreeView {
 /** Blades of one instance of the passes that move and pose them: groupBlades in web/shaders/blades.glsl. */
 export const groupBlades = 32;
 
-/** Rows of segments that ribbons of a class may have, and how high [pixels] they are at most. */
+/** Rows of segments that ribbons of a class may have, and above how many pixels of height; the nearest first. */
 export const classes = [
-  { segments: 2, pixels: 5, columns: 2 },
-  { segments: 4, pixels: 26, columns: 2 },
-  { segments: 8, pixels: 120, columns: 3 },
-  { segments: 16, pixels: Infinity, columns: 3 },
+  { segments: 16, above: 120, columns: 3 },
+  { segments: 8, above: 26, columns: 3 },
+  { segments: 4, above: 5, columns: 2 },
+  { segments: 2, above: -1, columns: 2 },
 ] as const;
+
+/** The class of blades that only cast shadows. */
+export const shadowClass = 2;
 
 /** Groups of blades to draw, by class: patch, number of the first blade in the patch, blades. */
 export interface Groups {
@@ -123,7 +126,7 @@ export class PatchTree {
   groupsOf(view: TreeView, most: number, oneClass = -1): Groups {
     const patches = this.field.patches;
     const f = patches.floats;
-    const lists: number[][] = classes.map(() => []);
+    const seen: { patch: number; count: number; distance: number }[] = [];
     const wanted: { page: number; distance: number }[] = [];
     let blades = 0;
     let end = 0;
@@ -153,10 +156,17 @@ export class PatchTree {
       }
       if (blades + count > most) continue;
       blades += count;
+      seen.push({ patch: p, count, distance: nearest });
+    }
+    // Near blades first: what they hide is not lit.
+    seen.sort((a, b) => a.distance - b.distance);
+    const lists: number[][] = classes.map(() => []);
+    for (const { patch, count, distance } of seen) {
+      const at = patch * patchWords;
       const height = f[at + patchWord.heightLow] + 255 * f[at + patchWord.heightStep];
-      const pixels = (height * view.pixelsPerUnit) / Math.max(nearest, 1e-6);
-      const kind = oneClass >= 0 ? oneClass : classes.findIndex((one) => pixels <= one.pixels);
-      for (let i = 0; i < count; i += groupBlades) lists[kind].push(p, i, Math.min(groupBlades, count - i));
+      const pixels = (height * view.pixelsPerUnit) / Math.max(distance, 1e-6);
+      const kind = oneClass >= 0 ? oneClass : classes.findIndex((one) => pixels > one.above);
+      for (let i = 0; i < count; i += groupBlades) lists[kind].push(patch, i, Math.min(groupBlades, count - i));
     }
     const begins = [0];
     for (const list of lists) begins.push(begins[begins.length - 1] + list.length / 3);
