@@ -1,5 +1,5 @@
 # What `cmake --install` puts where: the programs with manual pages and completions (component
-# runtime); documentation and examples (component documentation); and for other programs (component
+# runtime); the Python module (component python); documentation and examples (component documentation); and for other programs (component
 # development) static libraries, headers below sward/, a CMake package and pkg-config files for the
 # three link targets field, bake and render.
 include(GNUInstallDirs)
@@ -31,6 +31,16 @@ install(DIRECTORY assets/meadows assets/meshes assets/scenes assets/settings ass
   DESTINATION ${SWARD_DOC_DIR}/assets COMPONENT documentation PATTERN __pycache__ EXCLUDE)
 install(FILES assets/LICENSES.md DESTINATION ${SWARD_DOC_DIR}/assets COMPONENT documentation)
 install(FILES terrain/README.md DESTINATION ${SWARD_DOC_DIR}/terrain COMPONENT documentation)
+
+# The Python module (component python), where Debian's Python looks for modules below /usr.
+if(SWARD_PYTHON)
+  set(SWARD_PYTHON_DIR lib/python3/dist-packages/sward)
+  install(TARGETS sward_python LIBRARY DESTINATION ${SWARD_PYTHON_DIR} COMPONENT python)
+  install(DIRECTORY ${CMAKE_BINARY_DIR}/python/sward/ DESTINATION ${SWARD_PYTHON_DIR} COMPONENT python
+    FILES_MATCHING PATTERN "*.py" PATTERN "*.pyi" PATTERN "py.typed" PATTERN __pycache__ EXCLUDE)
+  install(FILES LICENSE RENAME copyright
+    DESTINATION ${CMAKE_INSTALL_DATAROOTDIR}/doc/python3-sward COMPONENT python)
+endif()
 
 # Libraries. Each export is one component of find_package(sward).
 set(SWARD_PACKAGE_DIR ${CMAKE_INSTALL_LIBDIR}/cmake/sward)

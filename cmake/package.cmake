@@ -1,5 +1,6 @@
 # `cpack -G DEB` in the build folder: sward (the programs), sward-maps (what reads maps for them, where there is GDAL),
-# sward-doc (documentation and examples) and sward-dev (for programs that draw, bake or read fields). Debian's own tools find out which shared
+# sward-doc (documentation and examples), python3-sward (the Python module, if it is built) and sward-dev (for programs
+# that draw, bake or read fields). Debian's own tools find out which shared
 # libraries the programs need, and what the packages are called that hold them.
 set(CPACK_PACKAGE_NAME sward)
 set(CPACK_PACKAGE_CONTACT "Sward's authors <sward@invalid>")
@@ -47,4 +48,18 @@ set(CPACK_COMPONENT_DOCUMENTATION_DESCRIPTION "Documentation of Sward, with exam
 set(CPACK_DEBIAN_DOCUMENTATION_PACKAGE_NAME sward-doc)
 set(CPACK_DEBIAN_DOCUMENTATION_PACKAGE_SECTION doc)
 set(CPACK_DEBIAN_DOCUMENTATION_PACKAGE_ARCHITECTURE all)
+
+if(SWARD_PYTHON)
+  list(APPEND CPACK_COMPONENTS_ALL python)
+  set(CPACK_COMPONENT_PYTHON_DESCRIPTION "Python module that bakes, reads, edits and draws fields of grass as numpy arrays.")
+  set(CPACK_DEBIAN_PYTHON_PACKAGE_NAME python3-sward)
+  set(CPACK_DEBIAN_PYTHON_PACKAGE_SECTION python)
+  set(CPACK_DEBIAN_PYTHON_PACKAGE_SHLIBDEPS ON)
+  # The native module is for one version of Python.
+  math(EXPR next_python "${Python_VERSION_MINOR} + 1")
+  set(CPACK_DEBIAN_PYTHON_PACKAGE_DEPENDS
+    "python3 (>= ${Python_VERSION_MAJOR}.${Python_VERSION_MINOR}), python3 (<< ${Python_VERSION_MAJOR}.${next_python}), python3-numpy")
+  set(CPACK_DEBIAN_PYTHON_PACKAGE_RECOMMENDS mesa-vulkan-drivers)
+  set(CPACK_DEBIAN_PYTHON_PACKAGE_SUGGESTS python3-matplotlib)
+endif()
 include(CPack)

@@ -31,16 +31,6 @@ namespace {
 
 constexpr std::uintmax_t sizeLimit = std::uintmax_t(4) << 30; // of any file [bytes]
 
-// Generated ground is in metres with Y up. The settings apply to it as to a file.
-GroundMesh place(GroundMesh mesh, const glm::dmat4& worldFromFile, const std::string& name)
-{
-    if (worldFromFile == glm::dmat4(1.0))
-        return mesh;
-    Soup soup = soupOf(mesh);
-    transform(soup, worldFromFile);
-    return settle(std::move(soup), name);
-}
-
 GroundMesh loadFile(const std::filesystem::path& path, const ImportSettings& settings,
                     const glm::dmat4& worldFromFile, Diagnostics& diagnostics)
 {
@@ -69,14 +59,14 @@ GroundMesh loadFile(const std::filesystem::path& path, const ImportSettings& set
     if (isHeightmap(path)) {
         GroundMesh mesh = importHeightmap(path, settings.heightmap, diagnostics);
         mesh.attributes.addGeneratedGaps(settings.masks, mesh.triangles.size(), name);
-        return place(std::move(mesh), worldFromFile, name);
+        return placed(std::move(mesh), worldFromFile, name);
     }
     if (extension == ".json") {
         constexpr std::size_t recipeLimit = 1U << 20;
         const std::vector<std::byte> bytes = readFile(path, recipeLimit);
         const std::string_view text(reinterpret_cast<const char*>(bytes.data()), bytes.size());
-        return place(makeFromRecipe(text, name, path.parent_path(), diagnostics, settings.masks),
-                     worldFromFile, name);
+        return placed(makeFromRecipe(text, name, path.parent_path(), diagnostics, settings.masks),
+                      worldFromFile, name);
     }
     constexpr std::array<std::string_view, 9> models{".fbx",  ".blend", ".usd", ".usda", ".usdc",
                                                      ".usdz", ".dae",   ".3ds", ".max"};
@@ -112,8 +102,8 @@ GroundMesh loadBuiltIn(const std::string& name, const ImportSettings& settings,
              fmt::join(known, " "),
              near.empty() ? nearFileHint(name) : fmt::format("; did you mean {}?", near));
     }
-    return place(makeFromRecipe(recipe, name, {}, diagnostics, settings.masks), worldFromFile,
-                 name);
+    return placed(makeFromRecipe(recipe, name, {}, diagnostics, settings.masks), worldFromFile,
+                  name);
 }
 
 } // namespace

@@ -182,7 +182,15 @@ GroundMesh importHeightmap(const std::filesystem::path& path, const HeightmapSet
     if (!settings.endian.empty() && settings.endian != "little" && settings.endian != "big")
         fail(ErrorKind::usage, "{}: --endian is \"{}\", neither little nor big", place,
              settings.endian);
-    HeightSamples samples = readSamples(path, settings, diagnostics);
+    GroundMesh mesh =
+        groundOf(readSamples(path, settings, diagnostics), settings, place, diagnostics);
+    mesh.nodes[0] = path.stem().string();
+    return mesh;
+}
+
+GroundMesh groundOf(HeightSamples&& samples, const HeightmapSettings& settings,
+                    const std::string& place, Diagnostics& diagnostics)
+{
     if (settings.flipRows)
         flipRows(samples);
     if (settings.noData)
@@ -210,7 +218,6 @@ GroundMesh importHeightmap(const std::filesystem::path& path, const HeightmapSet
             fail(ErrorKind::input, "{}: a height of {:.6g} m, outside ±{} m", place, height,
                  highest);
     GroundMesh mesh = heightfield(grid, heights, holes, place);
-    mesh.nodes[0] = path.stem().string();
     mesh.mapSystem = std::move(mapSystem);
     return mesh;
 }

@@ -2,9 +2,11 @@
 
 #include "core/diagnostics.h"
 #include "terrain/ground_mesh.h"
+#include "terrain/heightmap/height_samples.h"
 #include "terrain/load.h"
 
 #include <filesystem>
+#include <string>
 
 namespace sward::terrain {
 
@@ -24,5 +26,9 @@ bool isMapRaster(const std::filesystem::path& path);
 /// that is missing or does not match, Error{io, input, unsupported}.
 GroundMesh importHeightmap(const std::filesystem::path& path, const HeightmapSettings& settings,
                            Diagnostics& diagnostics);
+
+/// The ground of samples that have been read; `place` names them in messages.
+GroundMesh groundOf(HeightSamples&& samples, const HeightmapSettings& settings,
+                    const std::string& place, Diagnostics& diagnostics);
 
 } // namespace sward::terrain

@@ -1,6 +1,7 @@
 #include "terrain/loading/placement.h"
 
 #include "core/error.h"
+#include "terrain/topology/soup.h"
 
 #include <fmt/ranges.h>
 #include <glm/mat3x3.hpp>
@@ -8,6 +9,7 @@
 #include <algorithm>
 #include <array>
 #include <string_view>
+#include <utility>
 
 namespace sward::terrain {
 namespace {
@@ -117,6 +119,15 @@ std::vector<bool> matchAll(const std::vector<std::string>& globs,
 }
 
 } // namespace
+
+GroundMesh placed(GroundMesh mesh, const glm::dmat4& worldFromFile, const std::string& name)
+{
+    if (worldFromFile == glm::dmat4(1.0))
+        return mesh;
+    Soup soup = soupOf(mesh);
+    transform(soup, worldFromFile);
+    return settle(std::move(soup), name);
+}
 
 glm::dmat4 worldFromFile(const ImportSettings& settings)
 {

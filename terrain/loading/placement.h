@@ -12,6 +12,10 @@ namespace sward::terrain {
 /// and scale. Throws Error{usage} naming an unknown or out-of-range setting.
 glm::dmat4 worldFromFile(const ImportSettings& settings);
 
+/// Ground that was made in metres with Y up, as if it came from a file of these settings. Roles are
+/// not kept unless `worldFromFile` changes nothing.
+GroundMesh placed(GroundMesh mesh, const glm::dmat4& worldFromFile, const std::string& name);
+
 /// Sets `bears` from the globs of `settings`. A glob may match a node's path, or the path or name
 /// of any ancestor, so that it can name a group or a leaf. Warns of a glob that matches nothing;
 /// throws Error{input} if no node or no material is left to bear grass for that, unless `settings`

@@ -12,13 +12,11 @@
 #include <cmath>
 
 namespace sward::terrain {
-namespace {
 
-// Single precision resolves 0.1 mm up to 2048 m.
 void warnOfCoarseness(const std::vector<glm::dvec3>& positions, double metresPerUnit,
                       const std::string& place, Diagnostics& diagnostics)
 {
-    constexpr double reach = 2048.0; // [m]
+    constexpr double reach = 2048.0; // [m], where single precision resolves 0.1 mm
     double largest = 0.0;
     for (const glm::dvec3& p : positions)
         largest = std::max({largest, std::fabs(p.x), std::fabs(p.y), std::fabs(p.z)});
@@ -30,9 +28,7 @@ void warnOfCoarseness(const std::vector<glm::dvec3>& positions, double metresPer
             place, largest, largest * 0x1p-24 * 1e3);
 }
 
-// Difference of neighbouring coordinates: the last decimal of a text, or that of single or double
-// precision.
-double stepOf(const std::vector<glm::dvec3>& positions, bool isText)
+double coordinateStep(const std::vector<glm::dvec3>& positions, bool isText)
 {
     double largest = 0.0;
     bool isSingle = true;
@@ -58,7 +54,6 @@ double stepOf(const std::vector<glm::dvec3>& positions, bool isText)
     return largest * (isSingle ? 0x1p-23 : 0x1p-52);
 }
 
-// Lets vertex colours, if there are any, be the colour of all materials that have none.
 void showColors(Soup& soup)
 {
     if (!soup.hasColors)
@@ -71,8 +66,6 @@ void showColors(Soup& soup)
             material.baseColor = glm::vec4(1.0f);
     }
 }
-
-} // namespace
 
 Soup importMesh(const std::filesystem::path& path, const MaskInputs& read, double metresPerUnit,
                 Diagnostics& diagnostics)
@@ -89,7 +82,7 @@ Soup importMesh(const std::filesystem::path& path, const MaskInputs& read, doubl
         if (!libraries.empty())
             readMtl(path, libraries, read.imageChannels, soup, diagnostics);
         showColors(soup);
-        soup.precision = metresPerUnit * stepOf(soup.positions, true);
+        soup.precision = metresPerUnit * coordinateStep(soup.positions, true);
         return soup;
     }
 
@@ -103,7 +96,7 @@ Soup importMesh(const std::filesystem::path& path, const MaskInputs& read, doubl
         warnOfCoarseness(polygons.positions(), metresPerUnit, place, diagnostics);
     Soup soup = polygons.take(read, diagnostics);
     showColors(soup);
-    soup.precision = metresPerUnit * stepOf(soup.positions, form.isText);
+    soup.precision = metresPerUnit * coordinateStep(soup.positions, form.isText);
     return soup;
 }
 

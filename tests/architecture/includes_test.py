@@ -32,6 +32,7 @@ FOLDERS = {
     "apps_common": "src/apps/common",
     "sward": "src/apps/sward",
     "sward_view": "src/apps/sward_view",
+    "python": "src/python",
 }
 
 # What each library may include besides itself and the C++ library.
@@ -54,6 +55,8 @@ MAY_USE = {
     "sward": "core shared terrain field interchange trace bake apps_common fmt glm nlohmann cli11 posix",
     "sward_view": "core shared shaders field gpu render presentation apps_common fmt glm nlohmann cli11 posix "
                   "vulkan glfw imgui stb",
+    "python": "core shared terrain field interchange bake gpu render presentation apps_common sward sward_view "
+              "fmt glm cli11 pybind11",
 }
 
 # Third-party headers, by pattern.
@@ -78,6 +81,7 @@ THIRD_PARTY = {
     "meshoptimizer": ["meshoptimizer.h"],
     "draco": ["draco/*"],
     "gdal": ["gdal*", "ogr*", "cpl*"],
+    "pybind11": ["pybind11/*"],
     "posix": ["sys/*", "unistd.h", "fcntl.h", "spawn.h", "poll.h", "dlfcn.h", "pthread.h"],
     "windows": ["windows.h", "psapi.h", "shellapi.h", "io.h"],
     "intrinsics": ["*intrin.h"],

@@ -296,6 +296,11 @@ class LongDebianPackages(GuestTest):
         programs, = self.folder.glob("sward_0.1.0_*.deb")
         development, = self.folder.glob("sward-dev_0.1.0_*.deb")
         documentation, = self.folder.glob("sward-doc_0.1.0_all.deb")
+        module, = self.folder.glob("python3-sward_0.1.0_*.deb")
+        needs = self.run_here("dpkg-deb", "--field", module, "Depends")
+        for package in ("libc6", r"libembree\d-", "libvulkan1", "python3-numpy", r"python3 \(>= 3\.\d+\), python3 \(<< 3\.\d+\)"):
+            self.assertRegex(needs, package)
+        self.assertNotIn("libglfw3", needs)
         needs = self.run_here("dpkg-deb", "--field", programs, "Depends")
         for library in ("libc6", r"libembree\d-", r"libopenmesh\d", "libvulkan1", "libglfw3"):
             self.assertRegex(needs, library)
@@ -303,7 +308,7 @@ class LongDebianPackages(GuestTest):
         for package in ("libfmt-dev", "libzstd-dev", "libvulkan-dev", "libembree-dev"):
             self.assertIn(package, needs)
         owner = {}
-        for package in (programs, development, documentation):
+        for package in (programs, development, documentation, module):
             self.run_here("dpkg-deb", "--extract", package, "root")
             for line in self.run_here("dpkg-deb", "--contents", package).splitlines():
                 path = line.split(maxsplit=5)[5]
@@ -319,6 +324,11 @@ class LongDebianPackages(GuestTest):
         root = self.folder / "root/usr"
         self.assertEqual(self.run_here(root / "bin/sward", "--version"), "sward 0.1.0\n")
         self.assertEqual(self.run_here(root / "bin/sward-view", "--version"), "sward-view 0.1.0\n")
+        folder = root / "lib/python3/dist-packages"
+        self.assertEqual(self.run_here("env", f"PYTHONPATH={folder}", "PYTHONDONTWRITEBYTECODE=1", "/usr/bin/python3", "-c",
+                                       "import sward; print(sward.__version__, len(sward.bake('plane', count=9, meadow='grass')))"),
+                         "0.1.0 9\n")
+        self.assertTrue((folder / "sward/__init__.pyi").is_file())
         self.assertTrue((root / "lib/cmake/sward/swardConfig.cmake").is_file())
         self.assertTrue((root / "include/sward/render/field_renderer.h").is_file())
         # Debug information would be ten times larger.

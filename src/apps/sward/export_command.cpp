@@ -13,11 +13,8 @@
 #include "core/files/mapped_file.h"
 #include "field/read.h"
 #include "field/write.h"
-#include "interchange/csv.h"
-#include "interchange/gltf.h"
+#include "interchange/formats.h"
 #include "interchange/page.h"
-#include "interchange/ply.h"
-#include "interchange/usda.h"
 
 #include <CLI/CLI.hpp>
 #include <fmt/core.h>
@@ -30,21 +27,6 @@
 
 namespace sward::apps {
 namespace {
-
-using Writer = void (*)(const field::FieldView&, const std::filesystem::path&,
-                        const interchange::ExportSettings&, Progress&);
-
-// A format, chosen by the extension.
-struct Format {
-    const char* extension;
-    Writer write;
-    bool hasGround; // can include the drawn ground, and what engines need
-    bool isCompact; // has a compact form
-};
-constexpr Format formats[] = {{".glb", interchange::writeGlb, true, true},
-                              {".ply", interchange::writePly, false, false},
-                              {".usda", interchange::writeUsda, false, true},
-                              {".csv", interchange::writeCsv, false, false}};
 
 /// Whether an output is the folder of a page: its name ends in a slash.
 bool isPage(const std::string& output)
@@ -63,18 +45,6 @@ void checkPage(const std::filesystem::path& folder, bool overwrite)
     if (!overwrite && !std::filesystem::is_empty(folder, ignored))
         fail(ErrorKind::io, "{}: the folder is not empty; --force writes the page into it",
              folder.string());
-}
-
-const Format& formatOf(const std::filesystem::path& path)
-{
-    std::string known;
-    for (const Format& format : formats) {
-        if (path.extension() == format.extension)
-            return format;
-        known += std::string(known.empty() ? "" : ", ") + format.extension;
-    }
-    fail(ErrorKind::unsupported, "{}: cannot export to '{}'; known are {}", path.string(),
-         path.extension().string(), known);
 }
 
 class Export : public Subcommand {
@@ -115,12 +85,9 @@ public:
         if (isPage(output_))
             return exportPage();
         // Check before any work.
-        const Format format = formatOf(output_);
-        if (settings_.withGround && !format.hasGround)
-            fail(ErrorKind::usage, "{}: --with-ground needs a .glb output", output_);
-        if (settings_.forEngines && !format.hasGround)
-            fail(ErrorKind::usage, "{}: --for-engines needs a .glb output", output_);
-        checkCompact(format);
+        const interchange::Format& format = interchange::formatOf(output_, settings_);
+        if (!meshopt_.empty() && !(settings_.compact && format.hasGround))
+            fail(ErrorKind::usage, "{}: --meshopt needs --compact and a .glb output", output_);
         checkOutput(output_, format.extension, {file_}, settings_.overwrite);
 
         requireField(file_);
@@ -144,21 +111,6 @@ public:
     }
 
 private:
-    void checkCompact(const Format& format) const
-    {
-        if (settings_.compact && !format.isCompact)
-            fail(ErrorKind::usage, "{}: --compact needs a .glb or .usda output", output_);
-        if (settings_.compact && settings_.forEngines)
-            fail(ErrorKind::usage,
-                 "{}: --for-engines has all attributes in rank order and cannot be --compact",
-                 output_);
-        if (settings_.withIds && !settings_.compact)
-            fail(ErrorKind::usage, "{}: --with-ids needs --compact; other exports have ids",
-                 output_);
-        if (!meshopt_.empty() && !(settings_.compact && format.hasGround))
-            fail(ErrorKind::usage, "{}: --meshopt needs --compact and a .glb output", output_);
-    }
-
     int exportPage() const
     {
         const std::filesystem::path folder(output_);

@@ -27,6 +27,10 @@ private:
 /// input of its work, which an output must not replace.
 bool hasBeenRead(const std::filesystem::path& path);
 
+/// Begins a new piece of work: what was read before may be replaced. A mapped file that is replaced
+/// keeps its bytes. For programs that do several pieces, as those in Python.
+void forgetReadFiles();
+
 /// Whether bytes of a mapped file can be read without waiting for a disk, according to the system.
 bool isInMemory(std::span<const std::byte> bytes) noexcept;
 

@@ -89,6 +89,12 @@ bool hasBeenRead(const std::filesystem::path& path)
     return readFiles().ids.contains({status.st_dev, status.st_ino});
 }
 
+void forgetReadFiles()
+{
+    const std::lock_guard lock(readFiles().mutex);
+    readFiles().ids.clear();
+}
+
 MappedFile::MappedFile(const std::filesystem::path& path)
 {
     Descriptor file;

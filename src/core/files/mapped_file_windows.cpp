@@ -61,6 +61,12 @@ bool hasBeenRead(const std::filesystem::path& path)
     return readFiles().ids.contains(idOf(about));
 }
 
+void forgetReadFiles()
+{
+    const std::lock_guard lock(readFiles().mutex);
+    readFiles().ids.clear();
+}
+
 MappedFile::MappedFile(const std::filesystem::path& path)
 {
     const native::Handle file(native::openShared(path.c_str(), GENERIC_READ));

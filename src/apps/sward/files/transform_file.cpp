@@ -116,10 +116,14 @@ void checkSimilarity(const glm::dmat4& matrix, const std::string& place)
 
 glm::dmat4 readTransform(const std::filesystem::path& path)
 {
-    const std::string place = path.string();
     const std::vector<std::byte> bytes = readFile(path, largestFile);
-    const json file = parseJson({reinterpret_cast<const char*>(bytes.data()), bytes.size()}, place);
+    return parseTransform({reinterpret_cast<const char*>(bytes.data()), bytes.size()},
+                          path.string());
+}
 
+glm::dmat4 parseTransform(std::string_view text, const std::string& place)
+{
+    const json file = parseJson(text, place);
     glm::dmat4 matrix(1.0);
     if (file.is_object()) {
         SettingsReader reader(file, place);

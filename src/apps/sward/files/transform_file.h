@@ -3,6 +3,8 @@
 #include <glm/mat4x4.hpp>
 
 #include <filesystem>
+#include <string>
+#include <string_view>
 
 namespace sward::apps {
 
@@ -16,5 +18,8 @@ namespace sward::apps {
 /// Throws Error{io} if the file cannot be read, Error{input} if it is none of these, or shears,
 /// mirrors, or scales unevenly.
 glm::dmat4 readTransform(const std::filesystem::path& path);
+
+/// The same from a text; messages name `place`.
+glm::dmat4 parseTransform(std::string_view text, const std::string& place);
 
 } // namespace sward::apps

@@ -63,10 +63,9 @@ std::vector<bake::Mask> masksOf(const std::vector<std::string>& texts)
     return masks;
 }
 
-// Reads strokes that use the species of a meadow.
-bake::Strokes paintOf(const std::string& file, const bake::Meadow& meadow)
+// Finds the species of strokes in a meadow.
+bake::Strokes resolved(bake::Strokes strokes, const bake::Meadow& meadow)
 {
-    bake::Strokes strokes = bake::loadStrokes(file);
     std::vector<std::string> names;
     for (const bake::SpeciesTraits& species : meadow.species)
         names.push_back(species.name);
@@ -420,26 +419,31 @@ BakeRequest BakeOptions::requestWith(const std::string* provenance, const std::s
         settings.border = bake::parseSoftMinimum("--border", border_);
     if (!water_.empty())
         settings.water = bake::parseSoftMinimum("--above-water", water_);
+    request.given = given;
     settings.masks = masksOf(masks_);
+    settings.masks.insert(settings.masks.end(), given.masks.begin(), given.masks.end());
     for (const std::string& area : joinMargins(excluded_))
         settings.excluded.push_back(bake::parseExcludedArea(area));
-    settings.meadow = bake::withAssignments(bake::loadMeadow(meadow_), assignments_);
+    settings.meadow = bake::withAssignments(
+        given.meadow ? *given.meadow : bake::loadMeadow(meadow_), assignments_);
     settings.strokes.file = paint_;
-    request.choosesMask = masks_.empty();
+    request.choosesMask = masks_.empty() && given.masks.empty();
     if (provenance != nullptr) {
         settings = bake::bakedSettings(*provenance, settings, place);
         request.choosesSlope = false;
         request.choosesMask = false;
     }
     request.import.bareNames = readsBareNames(bareNames_, settings.masks);
-    if (!paint_.empty())
-        settings.strokes = paintOf(paint_, settings.meadow);
+    const bool isPainted = given.strokes || !paint_.empty();
+    if (isPainted)
+        settings.strokes =
+            resolved(given.strokes ? *given.strokes : bake::loadStrokes(paint_), settings.meadow);
     bake::validate(settings);
     request.import.masks = bake::maskInputs(settings);
-    if (request.moveStrokes > 0.0 && paint_.empty())
+    if (request.moveStrokes > 0.0 && !isPainted)
         fail(ErrorKind::usage, "--move-strokes: --paint is missing, whose strokes it moves");
     if (!request.paintMask.empty()) {
-        if (paint_.empty())
+        if (!isPainted)
             fail(ErrorKind::usage,
                  "--paint-mask {}: --paint is missing, which says what is painted",
                  request.paintMask);
@@ -449,6 +453,8 @@ BakeRequest BakeOptions::requestWith(const std::string* provenance, const std::s
         bake::loadMaskImages(settings);
 
     // An output file is required to keep the result.
+    if (given.ground)
+        request.inputs = {given.groundName};
     if (!printConfig && request.inputs.empty())
         fail(ErrorKind::usage,
              "INPUT is missing: a mesh, a heightmap, a recipe, or a built-in such as hills.\n"

@@ -2,9 +2,11 @@
 
 #include "apps/common/terminal/log_switches.h"
 #include "bake/settings/settings.h"
+#include "core/diagnostics.h"
 #include "terrain/load.h"
 
 #include <cstdint>
+#include <functional>
 #include <optional>
 #include <string>
 #include <vector>
@@ -18,8 +20,20 @@ namespace sward::apps {
 /// What --sky-rays was called.
 constexpr const char* formerSkyRays = "--exposure";
 
+/// What a caller holds in memory instead of in files that options name.
+struct GivenInputs {
+    /// Makes the ground in place of INPUT; null: from files.
+    std::function<terrain::GroundMesh(const terrain::ImportSettings&, Diagnostics&)> ground;
+    std::string groundName = "ground";    ///< in messages
+    bool isHeightmap = false;             ///< the options of heightmaps apply to it
+    std::vector<bake::Mask> masks;        ///< after those of --mask, with their images
+    std::optional<bake::Meadow> meadow;   ///< in place of --meadow
+    std::optional<bake::Strokes> strokes; ///< in place of --paint; species not resolved
+};
+
 /// A parsed `sward bake` command.
 struct BakeRequest {
+    GivenInputs given;                  ///< in place of files
     std::vector<std::string> inputs;    ///< files or built-in names; joined to one ground
     std::vector<std::string> occluders; ///< the same; block rays, bear nothing
     terrain::ImportSettings import;
@@ -55,6 +69,7 @@ public:
 
     bool printConfig = false;
     bool needsOutput = true; ///< --output, unless --dry-run is there
+    GivenInputs given;       ///< in place of files
     LogSwitches log;
 
 private:

@@ -41,10 +41,13 @@ terrain::GroundMesh loadBearing(const std::string& input, const BakeRequest& req
 {
     terrain::ImportSettings settings = request.import;
     settings.mayMatchNothing = request.inputs.size() > 1;
-    terrain::GroundMesh ground = loadOne(input, settings, diagnostics);
-    const std::string kind = terrain::fileKind(input);
+    const GivenInputs& given = request.given;
+    terrain::GroundMesh ground =
+        given.ground ? given.ground(settings, diagnostics) : loadOne(input, settings, diagnostics);
+    const std::string kind = given.ground ? "" : terrain::fileKind(input);
     const bool isGltf = kind == ".glb" || kind == ".gltf";
-    if (isGltf || kind == ".obj" || kind == ".ply" || kind == ".stl" || kind == ".off")
+    if ((given.ground && !given.isHeightmap) || isGltf || kind == ".obj" || kind == ".ply" ||
+        kind == ".stl" || kind == ".off")
         terrain::warnOfImplausible(ground, request.import, isGltf, input, diagnostics);
     // What coincides is said to, even if its name is a collider's.
     terrain::removeCoincident(ground, diagnostics);
@@ -58,6 +61,7 @@ void warnWithoutHeightmap(const BakeRequest& request, Diagnostics& diagnostics)
     const auto isMap = [](const std::string& file) { return terrain::isHeightmap(file); };
     if ((map.size || map.extent || map.height || !map.holeMask.empty() || map.noData ||
          map.flipRows || !map.endian.empty() || !map.encoding.empty()) &&
+        !request.given.isHeightmap &&
         std::none_of(request.inputs.begin(), request.inputs.end(), isMap) &&
         std::none_of(request.occluders.begin(), request.occluders.end(), isMap))
         diagnostics.warn("--size, --extent, --height, --hole-mask, --endian, --encoding, "
@@ -120,7 +124,7 @@ terrain::GroundMesh loadGround(BakeRequest& request, Diagnostics& diagnostics)
     terrain::GroundMesh ground = loadBearing(request.inputs.front(), request, diagnostics);
     std::vector<std::string> unmatched{terrain::unmatchedGlobs(ground, request.import)};
     std::vector<Placed> maps;
-    if (terrain::isHeightmap(request.inputs.front()))
+    if (!request.given.ground && terrain::isHeightmap(request.inputs.front()))
         maps.push_back(placeOf(request.inputs.front(), ground));
     for (std::size_t i = 1; i < request.inputs.size(); ++i) {
         const std::string& input = request.inputs[i];

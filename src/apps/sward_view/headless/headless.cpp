@@ -3,6 +3,7 @@
 #include "apps/common/field_input.h"
 #include "apps/common/interrupt.h"
 #include "apps/sward_view/graphics.h"
+#include "apps/sward_view/headless/picture_target.h"
 #include "apps/sward_view/picture/picture_mean.h"
 #include "apps/sward_view/scene/camera_file.h"
 #include "gpu/memory/image_use.h"
@@ -12,13 +13,10 @@
 #include <algorithm>
 #include <chrono>
 #include <cstring>
-#include <thread>
 
 namespace sward::view {
 namespace {
 
-constexpr VkFormat filmFormat = VK_FORMAT_R8G8B8A8_SRGB;
-constexpr VkFormat radianceFormat = VK_FORMAT_R16G16B16A16_SFLOAT;
 constexpr std::uint32_t slot = 0; ///< one frame at a time
 
 constexpr std::uint32_t referencePictures = 256;
@@ -26,23 +24,6 @@ constexpr std::uint32_t referencePictures = 256;
 /// Segments of a blade in a reference picture unless set: a fixed value, because tessellation is
 /// level of detail too.
 constexpr int referenceSegments = 16;
-
-/// Render target. Shaders store into it only if they rasterise and the device supports it:
-/// otherwise storage usage would slow down the graphics unit's writes.
-gpu::ImageSettings targetFor(const gpu::DeviceContext& context, glm::uvec2 size,
-                             render::Geometry geometry, bool isRadiance)
-{
-    gpu::ImageSettings settings{.name = "picture",
-                                .format = isRadiance ? radianceFormat : filmFormat,
-                                .extent = {size.x, size.y},
-                                .usage = VK_IMAGE_USAGE_COLOR_ATTACHMENT_BIT |
-                                         VK_IMAGE_USAGE_TRANSFER_SRC_BIT |
-                                         VK_IMAGE_USAGE_TRANSFER_DST_BIT,
-                                .storedAs = isRadiance ? radianceFormat : VK_FORMAT_R8G8B8A8_UNORM};
-    if (geometry == render::Geometry::tessellation || !gpu::isSupported(context, settings))
-        settings.storedAs = VK_FORMAT_UNDEFINED;
-    return settings;
-}
 
 // Adds two series frame by frame; both have the same frames.
 std::vector<double> sumOf(std::vector<double> first, const std::vector<double>& second)
@@ -71,6 +52,14 @@ std::vector<field::Member> membersOf(const std::vector<field::MappedField>& file
     return members;
 }
 
+render::FieldRendererSettings settingsFor(const FrameOptions& options, Headless::Wanted wanted,
+                                          VkFormat format)
+{
+    render::FieldRendererSettings settings = rendererFor(options, format, wanted.radiance);
+    settings.recordCullResults = settings.recordCullResults || wanted.blades;
+    return settings;
+}
+
 float aspectOf(glm::uvec2 size)
 {
     return static_cast<float>(size.x) / static_cast<float>(size.y);
@@ -93,20 +82,7 @@ Headless::Headless(const FrameOptions& options, Wanted wanted)
     , samples_(options.samples.value_or(4))
     , target_(device_.context(),
               targetFor(device_.context(), options.size, options.geometry, wanted.radiance))
-    , renderer_(device_, fields_.view(),
-                {.colorFormat = target_.format(),
-                 .keepsRadiance = wanted.radiance,
-                 .samples = samples_,
-                 .framesInFlight = 1,
-                 .geometry = options.geometry,
-                 .rastersForCpu = options.rastersForCpu,
-                 .castsShadows = true,
-                 .recordCullResults = wanted.blades || options.debug == render::DebugMode::reason,
-                 .deviceBytes = options.gpuMemory,
-                 .largestTarget = options.size,
-                 .waitsForDisk = true,
-                 .sownBytes = options.sownMemory,
-                 .sowThreads = std::max(std::thread::hardware_concurrency(), 1U)})
+    , renderer_(device_, fields_.view(), settingsFor(options, wanted, target_.format()))
     , timestamps_(device_.context(), {.slots = 1})
     , ring_(device_.context(), 1)
 {

@@ -1,0 +1,60 @@
+#include "core/error.h"
+#include "python/python_module.h"
+
+#include <exception>
+#include <filesystem>
+#include <string>
+
+namespace sward::python {
+namespace {
+
+namespace py = pybind11;
+
+const char* kindName(ErrorKind kind)
+{
+    switch (kind) {
+    case ErrorKind::usage:
+        return "usage";
+    case ErrorKind::io:
+        return "io";
+    case ErrorKind::input:
+        return "input";
+    case ErrorKind::unsupported:
+        return "unsupported";
+    case ErrorKind::difference:
+        return "difference";
+    case ErrorKind::interrupted:
+        return "interrupted";
+    case ErrorKind::runtime:
+        break;
+    }
+    return "runtime";
+}
+
+// Raises sward.Error. File names in messages are bytes, as Python's os.fsdecode() reads them.
+void raise(ErrorKind kind, const std::string& message)
+{
+    const py::object type = py::module_::import("sward._errors").attr("Error");
+    const py::object text = py::reinterpret_steal<py::object>(PyUnicode_DecodeUTF8(
+        message.data(), static_cast<Py_ssize_t>(message.size()), "surrogateescape"));
+    const py::object error = type(text, kindName(kind), static_cast<int>(kind));
+    PyErr_SetObject(type.ptr(), error.ptr());
+}
+
+} // namespace
+
+void addErrors(py::module_& /*module*/)
+{
+    py::register_exception_translator([](std::exception_ptr pointer) {
+        try {
+            if (pointer)
+                std::rethrow_exception(pointer);
+        } catch (const Error& error) {
+            raise(error.kind(), error.what());
+        } catch (const std::filesystem::filesystem_error& error) {
+            raise(ErrorKind::io, error.path1().string() + ": " + error.code().message());
+        }
+    });
+}
+
+} // namespace sward::python

@@ -1,0 +1,169 @@
+#include "bake/session/session.h"
+
+#include "apps/sward/options/ground_input.h"
+#include "bake/patches/cell_tree.h"
+#include "bake/settings/stroke_file.h"
+#include "core/error.h"
+#include "core/files/mapped_file.h"
+#include "python/field.h"
+#include "python/inputs.h"
+#include "python/option_table.h"
+#include "python/python_module.h"
+#include "python/work.h"
+
+#include <CLI/CLI.hpp>
+#include <pybind11/stl.h>
+
+#include <algorithm>
+#include <memory>
+#include <optional>
+#include <utility>
+#include <vector>
+
+namespace sward::python {
+namespace {
+
+namespace py = pybind11;
+
+/// A bake that stays open; see bake::Session. Not for two threads at once.
+class Session {
+public:
+    Session(const std::vector<std::string>& arguments, const Inputs& inputs,
+            const std::shared_ptr<Field>& baked, const py::object& callback)
+    {
+        CLI::App app;
+        apps::BakeOptions options;
+        options.add(app);
+        options.needsOutput = false;
+        options.given = inputs.given();
+        parseOptions(app, arguments);
+        forgetReadFiles();
+        Diagnostics diagnostics;
+        work(callback, [&](Progress& progress) {
+            request_ = options.request();
+            if (request_.settings.seeds == bake::SeedUse::automatic)
+                request_.settings.seeds = bake::SeedUse::never;
+            ground_ = std::make_unique<terrain::GroundMesh>(loadGround(request_, diagnostics));
+            session_.emplace(*ground_, request_.settings, request_.threads, diagnostics, progress,
+                             baked ? &baked->view() : nullptr);
+        });
+        request_.moveStrokes = 0.0; // those of the session are on the ground, and stay
+        maxBlades_ = std::max(request_.settings.maxBlades, session_->bladeCount());
+        issueWarnings(diagnostics);
+    }
+
+    const bake::Session& open() const { return *session_; }
+
+    /// Replaces the strokes from number `keep` on by those of a stroke file's text.
+    py::dict paint(const std::string& json, std::size_t keep, const py::object& callback)
+    {
+        bake::Strokes next = session_->strokes();
+        requireUsage(keep <= next.list.size(), "keep is {}, and there are {} strokes", keep,
+                     next.list.size());
+        next.list.resize(keep);
+        bake::Strokes added = bake::parseStrokes(json, "strokes");
+        bake::resolveSpecies(added, speciesNames());
+        std::move(added.list.begin(), added.list.end(), std::back_inserter(next.list));
+        bake::requireStrokeCount(next, "strokes");
+
+        const bake::Strokes before = session_->strokes();
+        bake::Session::Change change;
+        work(callback, [&](Progress& progress) {
+            change = session_->apply(std::move(next), progress);
+            if (session_->bladeCount() > maxBlades_) {
+                const std::uint64_t total = session_->bladeCount();
+                session_->apply(before, progress);
+                fail(ErrorKind::input, "{} blades after the change, more than --max-blades {}",
+                     total, maxBlades_);
+            }
+        });
+        warnOfLost(keep);
+        return tell(change);
+    }
+
+    /// Replaces the ground: by arrays, or by the session's files as they are now.
+    py::dict replaceGround(const std::optional<Inputs>& inputs, const py::object& callback)
+    {
+        apps::BakeRequest request = request_;
+        if (inputs)
+            request.given.ground = inputs->given().ground;
+        forgetReadFiles();
+        Diagnostics diagnostics;
+        bake::Session::Change change;
+        work(callback, [&](Progress& progress) {
+            auto next = std::make_unique<terrain::GroundMesh>(loadGround(request, diagnostics));
+            change = session_->replaceGround(*next, progress);
+            ground_ = std::move(next);
+        });
+        request_.given.ground = request.given.ground;
+        issueWarnings(diagnostics);
+        return tell(change);
+    }
+
+    std::shared_ptr<Field> field() const
+    {
+        field::Field whole;
+        work(py::none(), [&](Progress&) { whole = session_->field(); });
+        return std::make_shared<Field>(std::move(whole), request_.inputs.front());
+    }
+
+    std::vector<std::string> speciesNames() const
+    {
+        std::vector<std::string> names;
+        for (const bake::SpeciesTraits& species : request_.settings.meadow.species)
+            names.push_back(species.name);
+        return names;
+    }
+
+private:
+    static py::dict tell(const bake::Session::Change& change)
+    {
+        py::list cells;
+        for (const field::CellIndex& cell : change.cells)
+            cells.append(py::make_tuple(cell[0], cell[1], cell[2]));
+        py::dict result;
+        result["cells"] = cells;
+        result["blades"] = change.blades;
+        return result;
+    }
+
+    void warnOfLost(std::size_t first) const
+    {
+        Diagnostics diagnostics;
+        bake::warnOfContacts(std::span(session_->strokes().list).subspan(first),
+                             session_->contacts(first), first, "strokes",
+                             "move_strokes moves strokes onto the ground", diagnostics);
+        issueWarnings(diagnostics);
+    }
+
+    apps::BakeRequest request_;
+    std::unique_ptr<terrain::GroundMesh> ground_;
+    std::optional<bake::Session> session_;
+    std::uint64_t maxBlades_ = 0;
+};
+
+} // namespace
+
+void addSession(py::module_& module)
+{
+    py::class_<Session>(module, "Session")
+        .def(py::init<const std::vector<std::string>&, const Inputs&, const std::shared_ptr<Field>&,
+                      const py::object&>())
+        .def("paint", &Session::paint)
+        .def("replace_ground", &Session::replaceGround)
+        .def("field", &Session::field)
+        .def_property_readonly("species", &Session::speciesNames)
+        .def_property_readonly(
+            "strokes",
+            [](const Session& session) { return bake::toJson(session.open().strokes()); })
+        .def_property_readonly("count",
+                               [](const Session& session) { return session.open().bladeCount(); })
+        .def_property_readonly("has_reused",
+                               [](const Session& session) { return session.open().hasReused(); })
+        .def_property_readonly("origin", [](const Session& session) {
+            const glm::dvec3& origin = session.open().ground().origin;
+            return py::make_tuple(origin.x, origin.y, origin.z);
+        });
+}
+
+} // namespace sward::python

@@ -1,0 +1,112 @@
+"""sward.Renderer: the pictures of `sward-view render`, as arrays."""
+
+import json
+import unittest
+
+import numpy
+import sward
+
+from case import VIEWER, PythonCase
+
+SIZE = (64, 36)
+CAMERA = {"eye": [0, 3, 12], "target": [0, 0, 0], "fov_y_deg": 50}
+
+
+def pixels(path):
+    from PIL import Image
+    return numpy.asarray(Image.open(path).convert("RGB"))
+
+
+class Pictures(PythonCase):
+    @classmethod
+    def setUpClass(cls):
+        cls.field = sward.bake("hills", count=2000, meadow="grass")
+        cls.renderer = sward.Renderer(cls.field)
+
+    def viewer(self, *options, picture="program.png"):
+        path = self.folder / "hills.sward"
+        if not path.exists():
+            self.field.save(path)
+        self.program("render", path, "-o", picture, "--size", "64x36", "--force", *options, program=VIEWER)
+        return self.folder / picture
+
+    def test_they_are_the_png_files_of_the_viewer(self):
+        (self.folder / "camera.json").write_text(json.dumps(CAMERA), encoding="utf-8")
+        picture = self.renderer.render(CAMERA, 0.0, SIZE)
+        self.assertEqual((picture.shape, picture.dtype), ((36, 64, 3), numpy.uint8))
+        numpy.testing.assert_array_equal(picture, pixels(self.viewer("--camera", "camera.json")))
+        numpy.testing.assert_array_equal(self.renderer.render(self.folder / "camera.json", size=SIZE),
+                                         self.renderer.render(CAMERA, size=SIZE))
+
+    def test_blades_move_as_in_frames_of_the_viewer(self):
+        renderer = sward.Renderer(self.field, wind_strength=8)
+        for frame in range(3):
+            renderer.advance(frame * 0.25)
+        picture = renderer.render("eye", 0.75, SIZE)
+        path = self.viewer("--camera", "eye", "--frames", "3:3", "--fixed-dt", "0.25", "--wind-strength", 8)
+        numpy.testing.assert_array_equal(picture, pixels(path))
+        self.assertFalse((picture == renderer.render("eye", 0.0, SIZE)).all())
+
+    def test_linear_pictures_are_radiance(self):
+        picture = self.renderer.render("fit", 0.0, SIZE, dtype=numpy.float32)
+        self.assertEqual((picture.shape, picture.dtype), ((36, 64, 3), numpy.float32))
+        self.assertTrue(numpy.isfinite(picture).all())
+        self.assertTrue((picture == picture.astype(numpy.float16)).all())
+        film = self.renderer.render("fit", 0.0, SIZE).mean(axis=2).ravel()
+        self.assertGreater(numpy.corrcoef(numpy.sqrt(picture.mean(axis=2).ravel()), film)[0, 1], 0.9)
+
+    def test_settings_of_one_picture_change_no_other(self):
+        still = self.renderer.render("top", 0.0, SIZE)
+        for settings in ({"look": {"sun": {"elevation": 8}}},
+                         {"colliders": [{"centre": [0, 1, 0], "radius": 3}]}):
+            self.assertFalse((still == self.renderer.render("top", 0.0, SIZE, settings=settings)).all(), settings)
+        numpy.testing.assert_array_equal(self.renderer.render("top", 0.0, SIZE), still)
+
+    def test_sizes_change_on_the_open_device(self):
+        for size in ((16, 16), (40, 20), (16, 16)):
+            self.assertEqual(self.renderer.render("fit", size=size).shape, (size[1], size[0], 3))
+
+
+class Refused(PythonCase):
+    @classmethod
+    def setUpClass(cls):
+        cls.field = sward.bake("plane", count=100)
+        cls.renderer = sward.Renderer(cls.field)
+
+    def test_what_is_no_camera_size_time_or_option(self):
+        render = self.renderer.render
+        with self.assertRaisesRegex(sward.Error, "'fitt' is not fit, eye, top or edge"):
+            render("fitt")
+        with self.assertRaisesRegex(sward.Error, "camera: target"):
+            render({"eye": [0, 1, 2]})
+        with self.assertRaisesRegex(TypeError, "camera is a name"):
+            render(3)
+        with self.assertRaisesRegex(ValueError, "size is 0x36"):
+            render(size=(0, 36))
+        with self.assertRaisesRegex(TypeError, "size is"):
+            render(size=64)
+        with self.assertRaises(sward.Error):
+            render(time=float("nan"))
+        with self.assertRaisesRegex(TypeError, "neither uint8 nor float32"):
+            render(dtype=numpy.float64)
+        with self.assertRaisesRegex(sward.Error, "settings: "):
+            render(settings={"wimd": 1})
+        with self.assertRaisesRegex(sward.Error, "--collider"):
+            sward.Renderer(self.field, collider=["cube:1"])
+        with self.assertRaisesRegex(TypeError, "did you mean 'samples'"):
+            sward.Renderer(self.field, sample=4)
+        with self.assertRaisesRegex(sward.Error, "--samples: '3' is not 1 or 4"):
+            sward.Renderer(self.field, samples=3)
+
+
+class LongSeeds(PythonCase):
+    def test_a_field_with_seeds_is_sown(self):
+        field = sward.bake("hills", seeds="always", budget=2000, density=3)
+        path = self.folder / "seeds.sward"
+        field.save(path)
+        self.program("render", path, "-o", "seeds.png", "--size", "64x36", "--camera", "eye", program=VIEWER)
+        numpy.testing.assert_array_equal(sward.Renderer(field).render("eye", size=SIZE), pixels(self.folder / "seeds.png"))
+
+
+if __name__ == "__main__":
+    unittest.main()
