@@ -116,24 +116,18 @@ float fleckOf(BladePoint point, float mean, float distance)
     return mix(mean, fleck, seen);
 }
 
-/// The film colour of a point of a blade.
-vec3 bladePicture(BladePoint point)
+/// A point of a blade as light meets it.
+struct LitPoint {
+    vec3 normal;  ///< unit, of the visible side, rounded across the blade and with its veins
+    vec3 albedo;  ///< linear
+    float risen;  ///< share of the sun that ground and planet leave …
+    float sunlit; ///< … and of it what blades leave, too
+};
+
+/// `place` of the point is on the blade. `toEye`: unit.
+LitPoint litPoint(BladePoint point, vec3 toEye, float distance)
 {
-    // A sample can hit the blade while the pixel's middle misses it; the place then lies beyond the rim.
-    point.place = clamp(point.place, vec2(-1.0, 0.0), vec2(1.0));
     const float along = point.place.y;
-    const float openSky = point.look.x;
-    const float translucency = point.look.y;
-    const float gloss = point.look.z;
-    const vec3 sun = FRAME.sunDirection;
-    const vec3 ray = FRAME.view.eye - point.position;
-    const float distance = length(ray);
-    if (showsBands()) {
-        const uint band = distanceBand(distance, FRAME.view.drawDistance);
-        const uint channel = band - 3u * (debugMode() - debugNear);
-        return vec3(channel == 0u, channel == 1u, channel == 2u);
-    }
-    const vec3 toEye = ray / max(distance, 1e-6);
     vec3 n = bladeNormal(point, toEye, distance);
     const uint finish = finishIn(point.finish);
     vec3 albedo = mix(point.rootColor.rgb, point.tipColor.rgb, tipShareAt(along));
@@ -150,17 +144,51 @@ vec3 bladePicture(BladePoint point)
         n = normalize(n + veins.slope * point.axis);
     }
 
-    // Neighbours absorb light before it reaches this point: more where they are denser, and only by the part of their
-    // leaf area above it.
-    const float leafArea = point.leafAbove;
-    const float upright = dot(point.up, sun);
     const float risen = mix(point.rootColor.w, point.tipColor.w, along);
     // Near the eye the blades themselves are known; elsewhere, how much they leave of the sun.
     const vec2 among = sunAmongBlades(FRAME.bladeShadow, point.position, point.seed);
     float passed = among.x;
     if (among.y < 1.0)
-        passed = mix(fleckOf(point, sunBelow(leafProjectionOf(FRAME.cover), leafArea, upright), distance), passed, among.y);
-    const float sunlit = openSky * risen * passed;
+        passed = mix(fleckOf(point, sunBelow(leafProjectionOf(FRAME.cover), point.leafAbove, dot(point.up, FRAME.sunDirection)),
+                             distance),
+                     passed, among.y);
+    return LitPoint(n, albedo, risen, point.look.x * risen * passed);
+}
+
+/// A point as a sample may hit the blade while the pixel's middle misses it: its place is moved onto the blade.
+BladePoint ontoBlade(BladePoint point)
+{
+    point.place = clamp(point.place, vec2(-1.0, 0.0), vec2(1.0));
+    return point;
+}
+
+/// The film colour of a point of a blade.
+vec3 bladePicture(BladePoint point)
+{
+    point = ontoBlade(point);
+    const float along = point.place.y;
+    const float openSky = point.look.x;
+    const float translucency = point.look.y;
+    const float gloss = point.look.z;
+    const vec3 sun = FRAME.sunDirection;
+    const vec3 ray = FRAME.view.eye - point.position;
+    const float distance = length(ray);
+    if (showsBands()) {
+        const uint band = distanceBand(distance, FRAME.view.drawDistance);
+        const uint channel = band - 3u * (debugMode() - debugNear);
+        return vec3(channel == 0u, channel == 1u, channel == 2u);
+    }
+    const vec3 toEye = ray / max(distance, 1e-6);
+    const LitPoint lit = litPoint(point, toEye, distance);
+    const vec3 n = lit.normal;
+    const vec3 albedo = lit.albedo;
+    const float risen = lit.risen;
+    const float sunlit = lit.sunlit;
+
+    // Neighbours absorb light before it reaches this point: more where they are denser, and only by the part of their
+    // leaf area above it.
+    const float leafArea = point.leafAbove;
+    const float upright = dot(point.up, sun);
 
     // Light from sky and ground, on this side and through the blade, and what leaves around pass on.
     const float openBelow = skyBelow(point.leafBelow);
@@ -189,7 +217,7 @@ vec3 bladePicture(BladePoint point)
         color += lampLight(point, n, toEye, albedo, leafArea);
 #endif
 
-    if (isPlain)
+    if (debugMode() != debugNothing)
         color = albedo * (0.25 + 0.75 * along) * (0.6 + 0.4 * max(scattering.facing, 0.0));
     else
         color = throughAir(color, -toEye, distance);

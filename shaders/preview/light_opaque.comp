@@ -12,9 +12,9 @@ layout(set = 0, binding = 1, rgba16f) uniform image2D lit;
 #define AFTER_BLADES
 #define FRAME_SET 1
 #include "shaders/common/frame_constants.glsl"
+#include "shaders/preview/base_colors.glsl"
 #include "shaders/preview/collider_light.glsl"
 #include "shaders/preview/ground_light.glsl"
-#include "shaders/preview/image_probes.glsl"
 #include "shaders/raster/half_rounded.glsl"
 #include "shaders/preview/opaque_triangle.glsl"
 
@@ -63,29 +63,6 @@ vec4 colliderLight(uint number, vec2 middle)
                            mat3(a.normal, b.normal, c.normal) * shares);
 }
 
-#define FOR_EACH_IMAGE(DO) DO(0u) DO(1u) DO(2u) DO(3u) DO(4u) DO(5u) DO(6u) DO(7u)
-
-/// Size of image `place` among the images of this dispatch.
-vec2 sizeOfImage(uint place)
-{
-    ivec2 size = ivec2(1);
-#define SIZE(i)                                                                                    \
-    if (place == i)                                                                                \
-        size = textureSize(baseColors[i], 0);
-    FOR_EACH_IMAGE(SIZE)
-    return vec2(size);
-}
-
-vec3 texelOf(uint place, vec2 uv, float lod)
-{
-    vec3 texel = vec3(1.0);
-#define TEXEL(i)                                                                                   \
-    if (place == i)                                                                                \
-        texel = textureLod(baseColors[i], uv, lod).rgb;
-    FOR_EACH_IMAGE(TEXEL)
-    return texel;
-}
-
 /// Whether this dispatch has the image of a material; then `texel` is the image's colour at a place.
 bool findTexel(uint image, vec2 uv, vec2 right, vec2 down, out vec3 texel)
 {
@@ -93,10 +70,7 @@ bool findTexel(uint image, vec2 uv, vec2 right, vec2 down, out vec3 texel)
     texel = vec3(0.0);
     if (place >= imagesTogether)
         return false;
-    const ImageProbes probes = imageProbes(uv, right, down, sizeOfImage(place));
-    for (uint i = 0u; i < probes.count; ++i)
-        texel += texelOf(place, probes.first + float(i) * probes.step, probes.lod);
-    texel /= float(probes.count);
+    texel = probedTexel(place, uv, right, down);
     return true;
 }
 

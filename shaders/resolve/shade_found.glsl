@@ -6,8 +6,8 @@
 #include "shaders/raster/seen_blade.glsl"
 #include "shaders/raster/seen_place.glsl"
 
-/// The film colour of the place, and 1 − softness.
-vec4 shadeFound(SeenBlade seen, Found found)
+/// The place as a point to be lit.
+BladePoint pointOf(SeenBlade seen, Found found)
 {
     const Ribbon ribbon = seen.ribbon;
     BladePoint point;
@@ -25,6 +25,13 @@ vec4 shadeFound(SeenBlade seen, Found found)
     point.seed = ribbon.seed;
     point.finish = seen.surface.material.w;
     point.flecks = fleckCount(length(ribbon.v1 - ribbon.v0) + length(ribbon.v2 - ribbon.v1));
+    return point;
+}
+
+/// The film colour of the place, and 1 − softness.
+vec4 shadeFound(SeenBlade seen, Found found)
+{
+    const BladePoint point = pointOf(seen, found);
     return vec4(bladePicture(point), 1.0 - softness(length(FRAME.view.eye - point.position), 1.0));
 }
 

@@ -84,7 +84,9 @@ void Recorder::recordMoveAll(const gpu::Recording& commands)
     recordBegin(commands);
     forEach([&](const PlacedField& field) {
         update.record(commands, field.blades(), field.list(0), movingOf(field),
-                      UpdateCullPass::Scope::all, {.frame = field.place(slot, Kind::culling, 0)});
+                      UpdateCullPass::Scope::all,
+                      {.frame = field.place(slot, Kind::culling, 0),
+                       .before = field.states().before()});
     });
 }
 

@@ -107,14 +107,14 @@ ONLY_IN = {
 # that holds them all.
 INSIDE = {
     "core": "math system files json",
-    "shared": "look sow",
+    "shared": "look sow layers",
     "field": "file measure seeds",
     "interchange": "engine usda gltf compact",
     "godot": "abi field native",
     "gpu": "context recording memory pipeline device presentation",
-    "render": "frame field edits streaming sowing host resident cull resolve raster tessellation preview viewer",
+    "render": "frame field edits streaming sowing host resident cull resolve raster tessellation preview layers viewer",
     "bake": "ground mask settings paint filter sample poisson patches blades plan tiles whole seeds session",
-    "shaders": "common sow blade cull raster resolve tessellation preview bench",
+    "shaders": "common sow blade cull raster resolve tessellation preview layers bench",
     "terrain": "topology image files maps heightmap gltf mesh_files procedural query loading",
     "terrain/gltf": "file codecs",
     "apps_common": "terminal picture",

@@ -168,7 +168,7 @@ void ViewRaster::prepare(const HostView& view, const ViewDrawing& drawing, std::
     if (drawing.layer == nullptr)
         fit(*context_, pictures.tiles, "view/tiles",
             VkDeviceSize(tileCount(view.size)) * sizeof(std::uint32_t));
-    if (settings_.keepsMotion)
+    if (settings_.keepsMotion && drawing.layer == nullptr)
         fit(*context_, pictures.motions, "view/motions", bytes / 2);
     out.pictures = pictures;
     out.push = {.instances = 0,

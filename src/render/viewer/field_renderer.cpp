@@ -36,7 +36,7 @@ Grass::Settings grassSettings(const FieldRenderer::Settings& wanted)
 {
     return {.framesInFlight = wanted.framesInFlight,
             .maxViews = 1,
-            .keepsMotion = false,
+            .keepsMotion = wanted.keepsMotion,
             .rastersForCpu = wanted.rastersForCpu};
 }
 
@@ -44,6 +44,7 @@ PlacedField::Settings bladeSettings(const FieldRenderer::Settings& wanted)
 {
     return {.framesInFlight = wanted.framesInFlight,
             .maxViews = 1,
+            .keepsMotion = wanted.keepsMotion,
             .keepsCullResults = wanted.recordCullResults};
 }
 
@@ -308,7 +309,9 @@ InstanceFrame FieldRenderer::Parts::instanceOf(const View& view, const FrameSett
     InstanceFrame result{.time = time, .number = frameNumber, .settings = wanted};
     result.colliders = collidersAt(wanted.colliders, field->shape.origin, time,
                                    blades->hasMoved() ? lastTime : time);
-    InstanceView own{.seen = view.matrices, .samples = settings.samples};
+    InstanceView own{.seen = view.matrices,
+                     .clipBefore = view.before.value_or(view.matrices.viewProjection),
+                     .samples = settings.samples};
     const glm::mat4 rows = glm::transpose(view.matrices.viewProjection);
     own.shadowBox = shadowBoxOf(glm::dvec3(view.matrices.eye), glm::dvec3(rows[3]), wanted);
     if (wanted.cullingCamera)
@@ -325,6 +328,9 @@ void FieldRenderer::Parts::begin(const View& view, const FrameSettings& wanted, 
     requireUsage(wanted.debug != DebugMode::reason || settings.recordCullResults,
                  "DebugMode::reason needs FieldRendererSettings::recordCullResults");
     prepare(wanted);
+    if (view.layers != 0)
+        prepareLayers(wanted);
+    elapsed = blades->hasMoved() ? static_cast<float>(std::max(time - lastTime, 0.0)) : 0.0f;
     const HostView seen = hostView(view, wanted);
     ViewExtras extras{.frozen = frozen, .drawsAll = wanted.debug == DebugMode::reason};
     if (view.geometry == Geometry::raster) {
@@ -393,7 +399,11 @@ void FieldRenderer::record(VkCommandBuffer buffer, const Target& target, const C
     if (isPart)
         matrices = partOf(matrices, whole, target.first, target.size);
     parts.fit(target.size);
-    parts.begin({target.size, whole, matrices, parts.geometry}, settings, time, slot);
+    parts.checkLayers(target);
+    const std::optional<glm::mat4> before = parts.projectionBefore(target, whole);
+    parts.begin({target.size, whole, matrices, parts.geometry, before, target.layers}, settings,
+                time, slot);
+    parts.seenBefore = matrices.viewProjection;
     parts.lastTime = time;
     ++parts.frameNumber;
     {

@@ -6,6 +6,7 @@
 #include "render/frame/camera.h"
 #include "render/frame/frame_settings.h"
 #include "render/frame/frame_stats.h"
+#include "render/layers/frame_layers.h"
 #include "render/viewer/field_renderer_settings.h"
 
 #include <glm/vec2.hpp>
@@ -66,6 +67,10 @@ public:
         /// pixel `first`. Not for streamed fields, which hold what one view shows.
         glm::uvec2 whole{0};
         glm::ivec2 first{0}; ///< [pixels]
+
+        LayerMask layers = 0; ///< to be written besides: see layerWords()
+        /// Of the frame before, for flow; null: the camera of the last record().
+        const Camera* cameraBefore = nullptr;
     };
 
     /// Records one frame: moves the blades of visible patches to `time` [s] (as GrassFrame::time),
@@ -78,6 +83,11 @@ public:
     void record(VkCommandBuffer commands, const Target& target, const Camera& camera,
                 const FrameSettings& settings, double time, std::uint32_t slot = 0,
                 gpu::Timestamps* timestamps = nullptr, glm::vec2 jitter = glm::vec2(0.0f));
+
+    /// The layers of the frame last recorded in `slot` (Target::layers), after its commands have
+    /// completed. layersOf() makes arrays of them. Layer::flowForward is that of the frame recorded
+    /// before, if that had it, too: its places are followed to this frame.
+    LayerWords layerWords(const field::FieldView& field, std::uint32_t slot = 0) const;
 
     /// Moves all blades to `time` and draws nothing: for frames before the first one shown.
     void recordUpdateOnly(VkCommandBuffer commands, const FrameSettings& settings, double time,

@@ -4,6 +4,7 @@
 #include "gpu/recording/recording.h"
 #include "gpu/recording/rendering.h"
 #include "gpu/recording/timestamps.h"
+#include "render/layers/layers_pass.h"
 #include "render/preview/floor_plane.h"
 #include "render/preview/opaque_pass.h"
 #include "render/preview/opaque_raster_pass.h"
@@ -61,6 +62,9 @@ struct FieldRenderer::Parts {
         source;                    ///< what streaming and sowing read, unless the caller has it
     PlacedField* blades = nullptr; ///< the only instance of the recorder
     double lastTime = 0.0;         ///< [s] of the frame before
+    float elapsed = 0.0f;          ///< [s] since then, of the frame being recorded
+    std::optional<LayersPass> layers;     ///< made when the first are wanted
+    std::optional<glm::mat4> seenBefore; ///< projection of the last picture
     std::uint32_t frameNumber = 0;
     shared::DepthPyramid frozen = {}; ///< of the last picture whose camera culled; may be none
 
@@ -70,6 +74,8 @@ struct FieldRenderer::Parts {
         glm::uvec2 whole{0};  ///< [pixels] of the picture that the target is a part of
         ViewMatrices matrices{};
         Geometry geometry = Geometry::automatic;
+        std::optional<glm::mat4> before{}; ///< projection of the frame before
+        LayerMask layers = 0;
     };
 
     std::unique_ptr<DeviceField> uploadedField(const field::FieldView& view);
@@ -90,6 +96,11 @@ struct FieldRenderer::Parts {
                     gpu::Timestamps* timestamps);
     void makePicture(const gpu::Recording& commands, const Target& target,
                      gpu::Timestamps* timestamps);
+    void checkLayers(const Target& target) const;
+    std::optional<glm::mat4> projectionBefore(const Target& target, glm::uvec2 whole) const;
+    void prepareLayers(const FrameSettings& wanted);
+    void recordLayers(const gpu::Recording& commands, const Target& target,
+                      const shared::RasterPush& push, gpu::Timestamps* timestamps);
     gpu::ColorAttachment colorAttachment(const Target& target) const;
     FramePlace frame() const
     {

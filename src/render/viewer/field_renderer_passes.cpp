@@ -127,6 +127,9 @@ void FieldRenderer::Parts::makePicture(const gpu::Recording& commands, const Tar
         resolve->recordTiles(commands, push);
         opaqueRaster->recordLight(commands, frame(), push.visibility, resolve->sorted());
     }
+    // The resolve clears the visibility.
+    if (target.layers != 0)
+        recordLayers(commands, target, push, timestamps);
     const ImageUse filled = isStored ? ImageUse::storage : ImageUse::transferTarget;
     gpu::transition(commands, target.image, VK_IMAGE_ASPECT_COLOR_BIT, ImageUse::colorTarget,
                     filled);

@@ -58,6 +58,10 @@ struct FieldRendererSettings {
     /// copy of patches and keys in CPU memory, and room for more blades.
     bool isEditable = false;
 
+    /// Whether targets may ask for the layers of flow. Keeps the states of blades before their last
+    /// motion: 4 bytes per blade.
+    bool keepsMotion = false;
+
     /// SPIR-V modules; must outlive the renderer. Empty: the built-in ones.
     std::span<const EmbeddedFile> shaders{};
 };

@@ -7,6 +7,7 @@
 #include "gpu/pipeline/shader_library.h"
 #include "gpu/recording/barrier.h"
 #include "gpu/recording/commands.h"
+#include "shaders/shared/layers/layers_table.h"
 #include "shaders/shared/opaque.h"
 #include "shaders/shared/pages.h"
 #include "shaders/shared/passes.h"
@@ -163,6 +164,8 @@ struct Values {
     shared::OpaquePush opaquePush;
     shared::HostLight hostLight;
     shared::BladeShadowPush bladeShadowPush;
+    shared::LayersTable layersTable;
+    shared::LayersPush layersPush;
 };
 
 std::size_t fillValues(Values& v)
@@ -244,6 +247,12 @@ std::size_t fillValues(Values& v)
               light.lampCount, light.hasAmbient, light.nearer, light.lift);
     shared::BladeShadowPush& b = v.bladeShadowPush;
     n.fillAll(b.visiblePatches, b.levels, b.visibility, b.size, b.firstBlade, b.reserved);
+    shared::LayersTable& t = v.layersTable;
+    n.fillAll(t.clusters, t.indices, t.vertices, t.materials, t.motion, t.places, t.placesBefore,
+              t.depths, t.planes, t.normals, t.albedos, t.surfaces, t.blades, t.patches, t.flows,
+              t.flowsAhead, t.shares, t.groundTriangles, t.elapsed, t.imageCount, t.reserved);
+    n.fillAll(v.layersPush.table, v.layersPush.raster, v.layersPush.firstImage,
+              v.layersPush.reserved);
     return n.count();
 }
 
@@ -268,7 +277,7 @@ TEST_F(LayoutTest, EverySharedStructMeansTheSameToBothLanguages)
     const std::size_t words = fillValues(values);
 
     // The frame is reached as element 0 everywhere, so here, too.
-    std::array<gpu::Buffer, 35> buffers = {secondElement(context(), values.blade),
+    std::array<gpu::Buffer, 37> buffers = {secondElement(context(), values.blade),
                                            secondElement(context(), values.packedBlade),
                                            secondElement(context(), values.cell),
                                            secondElement(context(), values.frame),
@@ -302,7 +311,9 @@ TEST_F(LayoutTest, EverySharedStructMeansTheSameToBothLanguages)
                                            secondElement(context(), values.opaqueWork),
                                            secondElement(context(), values.opaquePush),
                                            secondElement(context(), values.hostLight),
-                                           secondElement(context(), values.bladeShadowPush)};
+                                           secondElement(context(), values.bladeShadowPush),
+                                           secondElement(context(), values.layersTable),
+                                           secondElement(context(), values.layersPush)};
     constexpr std::size_t frame = 3;
     std::memcpy(buffers[frame].mapped().data(), &values.frame, sizeof values.frame);
 

@@ -48,6 +48,22 @@ void Picture::drawPart(render::FieldRenderer& renderer, const render::Camera& ca
     });
 }
 
+void Picture::drawLayers(render::FieldRenderer& renderer, const render::Camera& camera,
+                         const render::FrameSettings& settings, double time,
+                         render::LayerMask layers)
+{
+    gpu::submitAndWait(context_, [&](VkCommandBuffer commands) {
+        gpu::transition(commands, image_, gpu::ImageUse::undefined, gpu::ImageUse::colorTarget);
+        renderer.record(commands,
+                        {.image = image_.get(),
+                         .view = image_.view(),
+                         .size = size_,
+                         .stored = image_.storedView(),
+                         .layers = layers},
+                        camera, settings, time);
+    });
+}
+
 std::vector<std::byte> Picture::pixels() const
 {
     return gpu::readImage(context_, image_, gpu::ImageUse::colorTarget);

@@ -30,6 +30,10 @@ public:
                   const render::FrameSettings& settings, double time, glm::uvec2 whole,
                   glm::ivec2 first);
 
+    /// The same as draw(), and writes layers.
+    void drawLayers(render::FieldRenderer& renderer, const render::Camera& camera,
+                    const render::FrameSettings& settings, double time, render::LayerMask layers);
+
     std::vector<std::byte> pixels() const; ///< R G B A or as the format has it, rows from the top
     glm::uvec2 size() const { return size_; }
 

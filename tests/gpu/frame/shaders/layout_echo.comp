@@ -2,6 +2,7 @@
 #extension GL_GOOGLE_include_directive : require
 #extension GL_EXT_buffer_reference_uvec2 : require
 // Reads every shared struct member by member and writes what it has read as a row of words.
+#include "shaders/shared/layers/layers_table.h"
 #include "shaders/shared/pages.h"
 #include "shaders/shared/passes.h"
 #include "shaders/shared/opaque.h"
@@ -11,7 +12,7 @@ layout(local_size_x = 1) in;
 SHARED_BUFFER(PlainBladeArray, Blade, readonly)
 SHARED_BUFFER(UpdatePushArray, UpdatePush, readonly)
 SHARED_BUFFER(WalkPushArray, WalkPush, readonly)
-SHARED_BUFFER(RasterPushArray, RasterPush, readonly)
+SHARED_BUFFER(LayersPushArray, LayersPush, readonly)
 SHARED_BUFFER(PyramidPushArray, PyramidPush, readonly)
 SHARED_BUFFER(ViewPushArray, ViewPush, readonly)
 SHARED_BUFFER(BladeShadowPushArray, BladeShadowPush, readonly)
@@ -59,6 +60,8 @@ struct Sources {
     OpaquePushArray opaquePush;
     HostLightArray hostLight;
     BladeShadowPushArray bladeShadowPush;
+    LayersTableArray layersTable;
+    LayersPushArray layersPush;
 };
 SHARED_BUFFER(SourcesArray, Sources, readonly)
 
@@ -470,4 +473,30 @@ void main()
     put(sources.at[0].bladeShadowPush.at[1].size);
     put(sources.at[0].bladeShadowPush.at[1].firstBlade);
     put(sources.at[0].bladeShadowPush.at[1].reserved);
+
+    put(uvec2(sources.at[0].layersTable.at[1].clusters));
+    put(uvec2(sources.at[0].layersTable.at[1].indices));
+    put(uvec2(sources.at[0].layersTable.at[1].vertices));
+    put(uvec2(sources.at[0].layersTable.at[1].materials));
+    put(uvec2(sources.at[0].layersTable.at[1].motion));
+    put(uvec2(sources.at[0].layersTable.at[1].places));
+    put(uvec2(sources.at[0].layersTable.at[1].placesBefore));
+    put(uvec2(sources.at[0].layersTable.at[1].depths));
+    put(uvec2(sources.at[0].layersTable.at[1].planes));
+    put(uvec2(sources.at[0].layersTable.at[1].normals));
+    put(uvec2(sources.at[0].layersTable.at[1].albedos));
+    put(uvec2(sources.at[0].layersTable.at[1].surfaces));
+    put(uvec2(sources.at[0].layersTable.at[1].blades));
+    put(uvec2(sources.at[0].layersTable.at[1].patches));
+    put(uvec2(sources.at[0].layersTable.at[1].flows));
+    put(uvec2(sources.at[0].layersTable.at[1].flowsAhead));
+    put(uvec2(sources.at[0].layersTable.at[1].shares));
+    put(sources.at[0].layersTable.at[1].groundTriangles);
+    put(sources.at[0].layersTable.at[1].elapsed);
+    put(sources.at[0].layersTable.at[1].imageCount);
+    put(sources.at[0].layersTable.at[1].reserved);
+    put(uvec2(sources.at[0].layersPush.at[1].table));
+    put(uvec2(sources.at[0].layersPush.at[1].raster));
+    put(sources.at[0].layersPush.at[1].firstImage);
+    put(sources.at[0].layersPush.at[1].reserved);
 }
