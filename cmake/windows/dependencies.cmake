@@ -1,4 +1,4 @@
-# What the running half needs of others, for Windows. Libraries of headers are those of the Linux build: only they, not
+# What all programs need of others, for Windows. Libraries of headers are those of the Linux build: only they, not
 # all of /usr/include, may be seen by the cross compiler. Zstandard is compiled from Debian's source, which
 # scripts/install-dependencies --windows unpacks. Vulkan's loader is on the machine of the user, or is not.
 
@@ -22,7 +22,7 @@ foreach(name fmt::fmt spdlog::spdlog glm::glm nlohmann_json::nlohmann_json CLI11
   target_link_libraries(${name} INTERFACE sward_windows_headers)
 endforeach()
 
-set(zstd ${CMAKE_SOURCE_DIR}/build/packages/zstd/source/lib)
+set(zstd ${CMAKE_SOURCE_DIR}/build/packages/sources/zstd/source/lib)
 file(GLOB zstd_sources ${zstd}/common/*.c ${zstd}/compress/*.c ${zstd}/decompress/*.c)
 if(NOT zstd_sources)
   message(FATAL_ERROR "${zstd} has no sources; scripts/install-dependencies --windows unpacks them")
@@ -36,7 +36,9 @@ add_library(zstd::libzstd_shared ALIAS sward_zstd)
 # Debian's stb is compiled for Linux.
 file(CONFIGURE OUTPUT ${CMAKE_BINARY_DIR}/stb_image_write.c
   CONTENT "#define STB_IMAGE_WRITE_IMPLEMENTATION\n#include <stb/stb_image_write.h>\n")
-add_library(sward_stb STATIC ${CMAKE_BINARY_DIR}/stb_image_write.c)
+file(CONFIGURE OUTPUT ${CMAKE_BINARY_DIR}/stb_image.c
+  CONTENT "#define STB_IMAGE_IMPLEMENTATION\n#include <stb/stb_image.h>\n")
+add_library(sward_stb STATIC ${CMAKE_BINARY_DIR}/stb_image_write.c ${CMAKE_BINARY_DIR}/stb_image.c)
 target_link_libraries(sward_stb PUBLIC sward_windows_headers)
 
 # The loader is opened at the first call: what reads fields, or says that there is no Vulkan, runs without it.

@@ -1,9 +1,10 @@
-# The running half for 64-bit Windows: sward.dll (the C interface, for C and C++ of any compiler) with its import
-# libraries, and sward-view.exe without its window. `scripts/build windows` builds it on Linux; docs/windows.md.
+# The programs for 64-bit Windows: sward.dll (the C interface, for C and C++ of any compiler) with its import libraries,
+# and sward-view.exe without its window. `scripts/build windows` builds them on Linux; docs/windows.md.
 
 enable_language(C)
 include(compile_options)
 include(windows/dependencies)
+include(windows/offline_dependencies)
 include(libraries)
 include(c_interface)
 include(embed)
