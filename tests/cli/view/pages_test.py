@@ -136,7 +136,8 @@ class HelpTest(unittest.TestCase):
         rest = {"bake": ["plane", "--print-config"], "plan": ["none.glb", "-o", "/proc/none/p.json"],
                 "compare": ["none.sward", "none.sward"], "tile": ["none.json", "-o", "none"],
                 "grow": ["none.sward", "-o", "grown.sward"], "export": ["none.sward", "-o", "none.csv"],
-                "render": ["none.sward", "-o", "none.png"], "trace": ["none.sward", "-o", "none.png"]}.get(command, ["none.sward"])
+                "render": ["none.sward", "-o", "none.png"], "trace": ["none.sward", "-o", "none.png"],
+                "lidar": ["none.sward", "-o", "none.npy", "--airborne", "5"]}.get(command, ["none.sward"])
         needed = {"plan": ["--tiles", "1"], "tile": ["--index", "0"]}.get(command, [])
         if option in needed:
             needed = []
