@@ -16,7 +16,7 @@ const NAME := "EXT_mesh_gpu_instancing"
 const VERSION := 1
 ## Extensions of other nodes and buffers that would have to be decoded.
 const NOT_READ := ["EXT_meshopt_compression", "KHR_meshopt_compression", "KHR_mesh_quantization", "KHR_draco_mesh_compression"]
-## Key of what is set for a file that is refused before it is parsed.
+## Key of whether a file is refused before it is parsed.
 const REFUSED := "sward_refused"
 ## Beyond this distance of the origin [m] single precision shows steps of 1 mm.
 const FARTHEST := 8192.0
@@ -29,6 +29,8 @@ func _get_supported_extensions() -> PackedStringArray:
 func _import_preflight(state: GLTFState, extensions: PackedStringArray) -> Error:
 	if not extensions.has(NAME):
 		return ERR_SKIP
+	# A key that is missing would be an error of its own.
+	state.set_additional_data(REFUSED, false)
 	for name: String in NOT_READ:
 		if extensions.has(name):
 			_refuse(state, "uses %s, which is not read together with %s; write the file without it" % [name, NAME])
@@ -43,7 +45,7 @@ func _import_preflight(state: GLTFState, extensions: PackedStringArray) -> Error
 
 func _import_post_parse(state: GLTFState) -> Error:
 	# Make all instances here: only now an error ends the import.
-	if state.get_additional_data(REFUSED) != null:
+	if state.get_additional_data(REFUSED):
 		return ERR_UNAVAILABLE
 	var accessors := Accessors.new(state.json, state.buffers)
 	var kinds := _kinds(state)

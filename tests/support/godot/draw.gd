@@ -2,6 +2,7 @@ extends SceneTree
 ## Draws a scene with a given camera and saves the picture: part of scripts/try-godot.
 ##
 ## godot --script draw.gd -- SCENE CAMERA.json OUT.png [wind=X] [thin=X] [shadows=1] [frames=N] [environment=SCENE]
+##     [sun_shadow=0]: lights of the environment cast no shadows
 ##     [bare=OUT.png]: first a picture without blades
 
 var _frames := 0
@@ -34,7 +35,10 @@ func _initialize() -> void:
 	_grass = field.find_children("*", "MultiMeshInstance3D", true, false)
 	_show_grass(_bare.is_empty())
 	if options.has("environment"):
-		root.add_child((load(options.environment) as PackedScene).instantiate())
+		var light := (load(options.environment) as PackedScene).instantiate()
+		for sun: Light3D in light.find_children("*", "Light3D", true, false):
+			sun.shadow_enabled = options.get("sun_shadow", "1") == "1"
+		root.add_child(light)
 	var view: Dictionary = JSON.parse_string(FileAccess.get_file_as_string(words[1]))
 	var camera := Camera3D.new()
 	camera.fov = view.fov_y_deg
@@ -71,7 +75,10 @@ func _show_grass(is_shown: bool) -> void:
 
 
 func _save(path: String) -> void:
-	var error := root.get_texture().get_image().save_png(path)
+	var image := root.get_texture().get_image()
+	# One renderer has an alpha channel, too.
+	image.convert(Image.FORMAT_RGB8)
+	var error := image.save_png(path)
 	if error != OK:
 		push_error("%s cannot be written: %s" % [path, error_string(error)])
 
