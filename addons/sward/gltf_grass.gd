@@ -9,6 +9,7 @@ const Accessors := preload("res://addons/sward/gltf_accessors.gd")
 const BladeInstances := preload("res://addons/sward/blade_instances.gd")
 const BladeMesh := preload("res://addons/sward/blade_mesh.gd")
 const SwardField := preload("res://addons/sward/sward_field.gd")
+const GROUND_SHADER := preload("res://addons/sward/ground.gdshader")
 const BLADE_SHADER := preload("res://addons/sward/blade.gdshader")
 
 const NAME := "EXT_mesh_gpu_instancing"
@@ -60,6 +61,8 @@ func _import_post_parse(state: GLTFState) -> Error:
 			_fail(state, "node %d (%s): %s" % [i, nodes[i].get("name", "no name"), fault])
 			return ERR_PARSE_ERROR
 	state.set_additional_data(NAME, made)
+	if not _extras(state).is_empty():
+		_shade_ground(state)
 	return OK
 
 
@@ -173,6 +176,29 @@ static func _material(extras: Dictionary, species: Dictionary, mesh: BladeMesh) 
 	material.set_shader_parameter("tip_color", _vector(species.get("tip_color", []), Vector3.ONE))
 	SwardField.describe_material(material, extras)
 	return material
+
+
+# Gives the mesh of the drawn ground its own shader.
+static func _shade_ground(state: GLTFState) -> void:
+	var meshes: Array = state.json.get("meshes", [])
+	for i in meshes.size():
+		if meshes[i].get("name", "") != "ground":
+			continue
+		var mesh := state.meshes[i].mesh as ImporterMesh
+		for surface in mesh.get_surface_count():
+			var from := mesh.get_surface_material(surface) as BaseMaterial3D
+			if from == null:
+				continue
+			var base := from.albedo_color.srgb_to_linear()
+			var material := ShaderMaterial.new()
+			material.shader = GROUND_SHADER
+			material.resource_name = "ground"
+			material.set_shader_parameter("base", Vector3(base.r, base.g, base.b))
+			material.set_shader_parameter("roughness", from.roughness)
+			if from.albedo_texture != null:
+				material.set_shader_parameter("has_image", true)
+				material.set_shader_parameter("image", from.albedo_texture)
+			mesh.set_surface_material(surface, material)
 
 
 # A field far from the origin is moved there; extras.origin_m keeps its place.

@@ -166,7 +166,7 @@ class AddonFiles(unittest.TestCase):
         for name, value in (("NUMBERS", twin.NUMBERS), ("STEPS", twin.STEPS), ("STEPS_PER_OCTAVE", twin.STEPS_PER_OCTAVE)):
             self.assertEqual(int(re.search(rf"const {name} := (\d+)", instances)[1]), value)
         # The shader has each parameter that the importer sets.
-        shader = text_of("blade.gdshader")
+        shader = text_of("blade.gdshader") + text_of("ground.gdshader")
         for file in ("gltf_grass.gd", "sward_field.gd"):
             set_here = re.findall(r'set_shader_parameter\("(\w+)"|_tell\("(\w+)"|^\t\t"(\w+)":', text_of(file), re.M)
             for name in {name for names in set_here for name in names if name}:
