@@ -7,6 +7,7 @@ extends Node3D
 ##   ground FILE.glb      its ground is drawn by Godot
 ##   eye, target X,Y,Z    of the camera; fov in degrees
 ##   scenery 0            no balls and no water
+##   budget MIB           of the grass
 ##   settings JSON        of the grass; shadows 1: blades cast shadows
 ##   case plain           nothing changes
 ##        colliders       a ball rolls through the grass
@@ -18,7 +19,7 @@ extends Node3D
 ## There is no wind but in the case colliders, so that pictures are equal from run to run.
 
 var args := {"field": "", "renderer": "auto", "case": "plain", "frames": "8", "shot": "", "eye": "0,3,12", "target": "0,0,0",
-		"fov": "50", "scenery": "1", "settings": "", "ground": ""}
+		"fov": "50", "scenery": "1", "settings": "", "ground": "", "budget": "0"}
 var grass: SwardGrass3D
 var camera := Camera3D.new()
 var ball: MeshInstance3D
@@ -63,6 +64,7 @@ func _ready() -> void:
 	grass.wind_speed = 4.0 if args.case == "colliders" else 0.0
 	grass.shadows = args.get("shadows", "0") == "1"
 	grass.settings = args.settings
+	grass.budget = int(args.budget)
 	grass.renderer = {"auto": SwardGrass3D.Renderer.AUTO, "native": SwardGrass3D.Renderer.NATIVE,
 			"multimesh": SwardGrass3D.Renderer.MULTIMESH}[args.renderer]
 	grass.renderer_chosen.connect(func(renderer: String, reason: String) -> void:

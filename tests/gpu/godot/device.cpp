@@ -90,7 +90,7 @@ void makeInstance(Device& made)
 }
 
 // With a few features, in structs as Godot 4.6 passes them.
-void makeDevice(Device& made)
+void makeDevice(Device& made, bool hasWhole)
 {
     std::uint32_t count = 1;
     vkEnumeratePhysicalDevices(made.instance, &count, &made.physical);
@@ -113,8 +113,23 @@ void makeDevice(Device& made)
     info.queueCreateInfoCount = 1;
     info.pQueueCreateInfos = &queue;
     info.pEnabledFeatures = &features;
+    VkPhysicalDeviceVulkan13Features newest{};
+    newest.sType = VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_VULKAN_1_3_FEATURES;
+    newest.pNext = &multiview;
+    VkPhysicalDeviceVulkan12Features newer{};
+    newer.sType = VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_VULKAN_1_2_FEATURES;
+    newer.pNext = &newest;
+    VkPhysicalDeviceFeatures2 all{};
+    all.sType = VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_FEATURES_2;
+    all.pNext = &newer;
+    if (hasWhole) {
+        info.pNext = &all;
+        info.pEnabledFeatures = nullptr;
+    }
     require(vkCreateDevice(made.physical, &info, nullptr, &made.device), "vkCreateDevice");
-    if (addresses.bufferDeviceAddress == VK_TRUE || features.tessellationShader == VK_TRUE)
+    if (addresses.bufferDeviceAddress == VK_TRUE || features.tessellationShader == VK_TRUE ||
+        all.features.tessellationShader == VK_TRUE || newer.scalarBlockLayout == VK_TRUE ||
+        newest.synchronization2 == VK_TRUE)
         std::printf("the host's structs have been changed\n");
     vkGetDeviceQueue(made.device, 0, 0, &made.queue);
 }
@@ -308,12 +323,12 @@ int main(int argc, char** argv)
             extension.reach(GodotLevel::core);
         Device device;
         makeInstance(device);
-        makeDevice(device);
+        makeDevice(device, mode == "whole");
         extension.reach(GodotLevel::scene);
         const char* const after = std::getenv("VK_INSTANCE_LAYERS");
         std::printf("environment %s\n",
                     before == (after != nullptr ? after : "none") ? "restored" : "changed");
-        drawField(device, argv[2], mode == "start");
+        drawField(device, argv[2], mode == "start" || mode == "whole");
         extension.leave(GodotLevel::scene);
         destroy(device);
         for (const std::string& error : errors())

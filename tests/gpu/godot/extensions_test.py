@@ -165,6 +165,9 @@ class Native(WithFields):
                 self.assertEqual(len(lines), 2, lines)
                 self.assertIn("start refused the layer VK_LAYER_SWARD_features is not on Godot's device", lines[1])
 
+    def test_features_go_into_the_structs_that_a_host_has(self):
+        self.assertEqual(self.draw("whole"), ["environment restored", "started"])
+
     def test_layers_of_the_user_stay(self):
         with tempfile.TemporaryDirectory(prefix="sward-layers-") as empty:
             lines = self.draw("start", VK_INSTANCE_LAYERS="VK_LAYER_KHRONOS_validation", VK_LAYER_PATH=
