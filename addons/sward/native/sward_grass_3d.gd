@@ -281,7 +281,8 @@ func _choose(renderer_name: String, reason: String) -> void:
 	notify_property_list_changed()
 	update_configuration_warnings()
 	if renderer_name != "none":
-		print("SwardGrass3D %s: %s, %d blades, drawn by %s: %s" % [name, field.get_file(), blade_count(),
+		var blades := "%d blades, " % blade_count() if _reader else ""
+		print("SwardGrass3D %s: %s, %sdrawn by %s: %s" % [name, field.get_file(), blades,
 				"the native renderer" if renderer_name == "native" else "MultiMeshes", reason])
 	renderer_chosen.emit(renderer_name, reason)
 
