@@ -4132,8 +4132,10 @@ var Panel = class {
       select.addEventListener("change", () => view.setCamera(cameras[select.selectedIndex]));
       tools.append(select);
     }
-    const copyright = view.field.defaults.copyright;
-    this.element.append(tools, ...copyright ? [make("small", { class: "sward-copyright" }, copyright)] : []);
+    const { defaults, hasSeeds } = view.field;
+    const notes = [hasSeeds ? "The stored blades of a field with seeds: a page does not sow the others." : "", defaults.copyright];
+    const note = notes.filter((text) => text !== "").join(" ");
+    this.element.append(tools, ...note ? [make("small", { class: "sward-note" }, note)] : []);
   }
 };
 
@@ -4141,7 +4143,7 @@ var Panel = class {
 var firstPages = 384;
 var pagesAtOnce = 128;
 var requestsAtOnce = 4;
-var minBlades = 2e4;
+var minBlades = 6e4;
 var maxBlades = 2e6;
 var longestFrame = 0.1;
 var rest = 250;
@@ -4207,6 +4209,7 @@ var FieldView = class {
   budget = 15e4;
   isLost = false;
   isStopped = false;
+  hasFailed = false;
   observer;
   stillness = matchMedia("(prefers-reduced-motion: reduce)");
   /** Up direction of the field, against gravity. */
@@ -4294,14 +4297,17 @@ var FieldView = class {
   load(missing) {
     const { field, panel } = this;
     panel.progress(field);
-    if (field.isComplete || this.requests >= requestsAtOnce) return;
+    if (field.isComplete || this.hasFailed || this.requests >= requestsAtOnce) return;
     let wanted = missing.slice(0, pagesAtOnce);
     for (let page = 0; wanted.length < pagesAtOnce && page < field.pageCount; ++page)
       if (field.isMissing(page) && !wanted.includes(page)) wanted.push(page);
     wanted = wanted.sort((a, b) => a - b);
     if (wanted.length === 0) return;
     ++this.requests;
-    loadRuns(field, wanted).then(() => this.change()).catch((error) => panel.fail(error)).finally(() => {
+    loadRuns(field, wanted).then(() => this.change()).catch((error) => {
+      this.hasFailed = true;
+      panel.fail(error);
+    }).finally(() => {
       --this.requests;
       panel.progress(field);
     });

@@ -27,7 +27,7 @@ const firstPages = 384;
 /** Pages that are asked for together, and requests at once. */
 const pagesAtOnce = 128;
 const requestsAtOnce = 4;
-const minBlades = 20_000;
+const minBlades = 60_000;
 const maxBlades = 2_000_000;
 /** Longest time between two frames that moves blades [s]: a tab that was hidden does not jump. */
 const longestFrame = 0.1;
@@ -58,6 +58,7 @@ export class FieldView {
   private budget = 150_000;
   private isLost = false;
   private isStopped = false;
+  private hasFailed = false;
   private readonly observer: ResizeObserver;
   private readonly stillness = matchMedia("(prefers-reduced-motion: reduce)");
 
@@ -198,7 +199,7 @@ export class FieldView {
   private load(missing: readonly number[]): void {
     const { field, panel } = this;
     panel.progress(field);
-    if (field.isComplete || this.requests >= requestsAtOnce) return;
+    if (field.isComplete || this.hasFailed || this.requests >= requestsAtOnce) return;
     let wanted = missing.slice(0, pagesAtOnce);
     for (let page = 0; wanted.length < pagesAtOnce && page < field.pageCount; ++page)
       if (field.isMissing(page) && !wanted.includes(page)) wanted.push(page);
@@ -207,7 +208,11 @@ export class FieldView {
     ++this.requests;
     loadRuns(field, wanted)
       .then(() => this.change())
-      .catch((error: unknown) => panel.fail(error))
+      .catch((error: unknown) => {
+        // What is here is still drawn.
+        this.hasFailed = true;
+        panel.fail(error);
+      })
       .finally(() => {
         --this.requests;
         panel.progress(field);

@@ -133,7 +133,9 @@ export class Panel {
       select.addEventListener("change", () => view.setCamera(cameras[select.selectedIndex]));
       tools.append(select);
     }
-    const copyright = view.field.defaults.copyright;
-    this.element.append(tools, ...(copyright ? [make("small", { class: "sward-copyright" }, copyright)] : []));
+    const { defaults, hasSeeds } = view.field;
+    const notes = [hasSeeds ? "The stored blades of a field with seeds: a page does not sow the others." : "", defaults.copyright];
+    const note = notes.filter((text) => text !== "").join(" ");
+    this.element.append(tools, ...(note ? [make("small", { class: "sward-note" }, note)] : []));
   }
 }
