@@ -2801,7 +2801,7 @@ function frameBlock(scene, input) {
   block.floats(`${environment}blend`, [gravity.blend]);
   block.floats(`${environment}forward`, [0.25]);
   block.floats("environment.recovery", [field.defaults.recovery]);
-  const extent = size(sub(content.high, content.low));
+  const extent = Math.max(...sub(content.high, content.low));
   writeWind(block, field.defaults.wind, origin, extent, input.wind, input.time);
   block.floats("sunDirection", light.sunDirection);
   block.floats("sunColor", light.sunColor);
@@ -3266,19 +3266,16 @@ var pageBlades2 = 1024;
 function* pagesOf(first, count) {
   for (let p = Math.floor(first / pageBlades2); p <= Math.floor((first + count - 1) / pageBlades2); ++p) yield p;
 }
-function meanBladeSize(patches) {
+function meanBladeWidth(patches) {
   const f = patches.floats;
-  let height = 0;
   let width = 0;
   let count = 0;
   for (let p = 0; p < patches.count; ++p) {
-    const at = p * patchWords;
     const own = patches.bladeCount(p);
-    height += own * (f[at + patchWord.heightLow] + 127.5 * f[at + patchWord.heightStep]);
-    width += own * (f[at + patchWord.widthLow] + 31.5 * f[at + patchWord.widthStep]);
+    width += own * (f[p * patchWords + patchWord.widthLow] + 31.5 * f[p * patchWords + patchWord.widthStep]);
     count += own;
   }
-  return count > 0 ? { height: height / count, width: width / count } : { height: 0.3, width: 0.01 };
+  return count > 0 ? width / count : 0.01;
 }
 
 // src/render/renderer.ts
@@ -3330,7 +3327,7 @@ var Renderer = class {
       light: input.light ?? this.usualLight,
       wind: input.wind ?? 1,
       time: input.time,
-      shadowDistance: shadowDistanceOf(scene),
+      shadowDistance,
       lodThreshold: this.lodThreshold
     };
     const treeView = {
@@ -3370,9 +3367,7 @@ var Renderer = class {
     return this.gl.isContextLost();
   }
 };
-function shadowDistanceOf(scene) {
-  return Math.min(8, 24 * scene.bladeHeight);
-}
+var shadowDistance = 8;
 function boxOf(field) {
   const ground = { low: [Infinity, Infinity, Infinity], high: [-Infinity, -Infinity, -Infinity] };
   const vertices = field.ground.vertices;
@@ -3394,15 +3389,13 @@ function sceneOf(field, cover) {
   const { content, ground } = boxOf(field);
   const gravity = field.defaults.gravity;
   const up = unit(scaled(gravity.direction, -1));
-  const blade = meanBladeSize(field.patches);
   return {
     field,
     cover,
     content,
     groundBox: ground,
     floor: gravity.blend === 0 ? floorOf(field.ground, up) : noFloor,
-    bladeWidth: blade.width,
-    bladeHeight: blade.height,
+    bladeWidth: meanBladeWidth(field.patches),
     exposure: chosenExposure(field.ground, cover, field.bladeCount > 0)
   };
 }
@@ -3720,8 +3713,11 @@ var Parts = class {
       bindTexture(gl, "baseColor", part.image);
       gl.uniform3fv(this.ground.place("materialColor"), part.color);
       gl.uniform1i(this.ground.place("isDoubleSided"), part.isDoubleSided ? 1 : 0);
+      if (part.isDoubleSided) gl.disable(gl.CULL_FACE);
+      else gl.enable(gl.CULL_FACE);
       gl.drawElements(gl.TRIANGLES, part.count, gl.UNSIGNED_INT, 4 * part.first);
     }
+    gl.disable(gl.CULL_FACE);
   }
 };
 function patchTable(gl, field) {

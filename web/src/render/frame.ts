@@ -25,9 +25,8 @@ export interface Scene {
   content: Box;
   groundBox: Box;
   floor: Floor;
-  /** Mean size of the blades [m]. */
+  /** Mean width of the blades [m]. */
   bladeWidth: number;
-  bladeHeight: number;
   /** Of the field, without adaptation. */
   exposure: number;
 }
@@ -90,7 +89,7 @@ export function frameBlock(scene: Scene, input: FrameInput): Block {
   block.floats(`${environment}blend`, [gravity.blend]);
   block.floats(`${environment}forward`, [0.25]);
   block.floats("environment.recovery", [field.defaults.recovery]);
-  const extent = size(sub(content.high, content.low));
+  const extent = Math.max(...sub(content.high, content.low));
   writeWind(block, field.defaults.wind, origin, extent, input.wind, input.time);
 
   block.floats("sunDirection", light.sunDirection);

@@ -16,7 +16,7 @@ import {
 } from "./frame";
 import { bindTexture, Gl, imageTexture, makeTarget, makeTexture, Picture, Program, samplePlaces, tableWidth, wordTable } from "./gl";
 import { Light, usualLight, turnedWith } from "./light";
-import { classes, groupBlades, Groups, meanBladeSize, PatchTree, shadowClass, TreeView } from "./tree";
+import { classes, groupBlades, Groups, meanBladeWidth, PatchTree, shadowClass, TreeView } from "./tree";
 import { Box, scaled, unit } from "./vector";
 
 /** What a picture shows. */
@@ -97,7 +97,7 @@ export class Renderer {
       light: input.light ?? this.usualLight,
       wind: input.wind ?? 1,
       time: input.time,
-      shadowDistance: shadowDistanceOf(scene),
+      shadowDistance,
       lodThreshold: this.lodThreshold,
     };
     const treeView: TreeView = {
@@ -144,10 +144,8 @@ export class Renderer {
   }
 }
 
-/** Distance to which blades cast shadows of their own shape [m]: 8, less above small grounds. */
-function shadowDistanceOf(scene: Scene): number {
-  return Math.min(8, 24 * scene.bladeHeight);
-}
+/** Distance to which blades cast shadows of their own shape [m], as in the viewer. */
+const shadowDistance = 8;
 
 function boxOf(field: Field): { content: Box; ground: Box } {
   const ground: Box = { low: [Infinity, Infinity, Infinity], high: [-Infinity, -Infinity, -Infinity] };
@@ -171,15 +169,13 @@ function sceneOf(field: Field, cover: Cover): Scene {
   const { content, ground } = boxOf(field);
   const gravity = field.defaults.gravity;
   const up = unit(scaled(gravity.direction, -1));
-  const blade = meanBladeSize(field.patches);
   return {
     field,
     cover,
     content,
     groundBox: ground,
     floor: gravity.blend === 0 ? floorOf(field.ground, up) : noFloor,
-    bladeWidth: blade.width,
-    bladeHeight: blade.height,
+    bladeWidth: meanBladeWidth(field.patches),
     exposure: chosenExposure(field.ground, cover, field.bladeCount > 0),
   };
 }
@@ -536,8 +532,11 @@ class Parts {
       bindTexture(gl, "baseColor", part.image);
       gl.uniform3fv(this.ground.place("materialColor"), part.color);
       gl.uniform1i(this.ground.place("isDoubleSided"), part.isDoubleSided ? 1 : 0);
+      if (part.isDoubleSided) gl.disable(gl.CULL_FACE);
+      else gl.enable(gl.CULL_FACE);
       gl.drawElements(gl.TRIANGLES, part.count, gl.UNSIGNED_INT, 4 * part.first);
     }
+    gl.disable(gl.CULL_FACE);
   }
 }
 

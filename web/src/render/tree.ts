@@ -183,18 +183,15 @@ function* pagesOf(first: number, count: number): Generator<number> {
   for (let p = Math.floor(first / pageBlades); p <= Math.floor((first + count - 1) / pageBlades); ++p) yield p;
 }
 
-/** Mean height and width of a field's blades [m], from the middle of each patch's range. */
-export function meanBladeSize(patches: Patches): { height: number; width: number } {
+/** Mean width of a field's blades [m], from the middle of each patch's range. */
+export function meanBladeWidth(patches: Patches): number {
   const f = patches.floats;
-  let height = 0;
   let width = 0;
   let count = 0;
   for (let p = 0; p < patches.count; ++p) {
-    const at = p * patchWords;
     const own = patches.bladeCount(p);
-    height += own * (f[at + patchWord.heightLow] + 127.5 * f[at + patchWord.heightStep]);
-    width += own * (f[at + patchWord.widthLow] + 31.5 * f[at + patchWord.widthStep]);
+    width += own * (f[p * patchWords + patchWord.widthLow] + 31.5 * f[p * patchWords + patchWord.widthStep]);
     count += own;
   }
-  return count > 0 ? { height: height / count, width: width / count } : { height: 0.3, width: 0.01 };
+  return count > 0 ? width / count : 0.01;
 }

@@ -14,7 +14,7 @@ const point = (cell: number[]) =>
 
 /**
  * Writes the wind of a field's defaults at `time` [s]: a wave and gusts of noise, as sourcesOf(), together() and
- * phaseAt() in src/render/frame do. `strength`: factor of the defaults'.
+ * phaseAt() in src/render/frame do. `extent` [m]: longest side of what is shown. `strength`: factor of the defaults'.
  */
 export function writeWind(
   block: Block,
