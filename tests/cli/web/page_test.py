@@ -76,7 +76,8 @@ class Shaders(CliTest):
     def test_the_script_has_the_shaders_of_the_repository(self):
         """They are the viewer's text in GLSL ES; a change of that text belongs to a new build of the script."""
         needs("node")
-        done = subprocess.run(["node", str(HERE / "shader_texts.mjs"), str(self.folder)], capture_output=True, text=True)
+        done = subprocess.run(["node", str(HERE / "shader_texts.mjs"), str(self.folder)], capture_output=True,
+                              text=True)
         self.assertEqual(done.returncode, 0, done.stderr)
         self.assertEqual(json.loads(done.stdout), [], "other text than shaders/: run `npm ci && npm run build` in web/")
         stages = sorted(self.folder.iterdir())
@@ -91,7 +92,8 @@ class LongPackage(CliTest):
         """Types are right, too."""
         from export.node_readers import installed
         packages = installed(ROOT / "web", "web")
-        shutil.copytree(ROOT / "web", self.folder / "web", ignore=shutil.ignore_patterns("node_modules", "generated", "dist"))
+        made = shutil.ignore_patterns("node_modules", "generated", "dist")
+        shutil.copytree(ROOT / "web", self.folder / "web", ignore=made)
         (self.folder / "shaders").symlink_to(ROOT / "shaders")
         (self.folder / "web/node_modules").symlink_to(packages)
         for command in (["node", "build.mjs"], ["node", "node_modules/typescript/bin/tsc", "--noEmit", "-p", "."]):

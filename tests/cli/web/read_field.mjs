@@ -1,6 +1,6 @@
 // Reads fields by web/dist/sward.js for web_test.py.
 //   node read_field.mjs rows FILE|ADDRESS      f64 rows on stdout: the columns of the CSV export, without ribbons
-//   node read_field.mjs error FILE|ADDRESS     JSON: {"kind", "message"} of the error, or {} if there is none
+//   node read_field.mjs errors FILE|ADDRESS …  JSON: for each {"kind", "message"} of the error, or {} if there is none
 //   node read_field.mjs pages ADDRESS FROM TO  JSON: bytes received before and after these pages, and which are here
 //   node read_field.mjs hash                   one number a line: XXH3 of the bytes i·i mod 251, for lengths on stdin
 import { readFileSync, writeSync } from "node:fs";
@@ -11,7 +11,7 @@ const { openField, readField, SwardError, xxh3 } = await import(script);
 
 const [what, place, from, to] = process.argv.slice(2);
 
-async function opened() {
+async function opened(place) {
   if (!place.startsWith("http:")) return readField(new Uint8Array(readFileSync(place)), place);
   const field = await openField(place);
   await field.loadAll();
@@ -45,15 +45,18 @@ function rowsOf(field) {
   return new Uint8Array(Float64Array.from(rows).buffer);
 }
 
-if (what === "rows") write(rowsOf(await opened()));
-else if (what === "error") {
-  try {
-    await opened();
-    console.log("{}");
-  } catch (error) {
-    if (!(error instanceof SwardError)) throw error;
-    console.log(JSON.stringify({ kind: error.kind, message: error.message }));
-  }
+if (what === "rows") write(rowsOf(await opened(place)));
+else if (what === "errors") {
+  const found = [];
+  for (const one of process.argv.slice(3))
+    await opened(one).then(
+      () => found.push({}),
+      (error) => {
+        if (!(error instanceof SwardError)) throw error;
+        found.push({ kind: error.kind, message: error.message });
+      },
+    );
+  console.log(JSON.stringify(found));
 } else if (what === "pages") {
   const field = await openField(place);
   const before = field.received;
