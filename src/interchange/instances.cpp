@@ -26,6 +26,25 @@ shared::Blade bladeOf(const field::FieldView& field, std::uint32_t patch, std::s
     return blade;
 }
 
+Instance instanceOf(const field::FieldView& field, std::uint32_t patch, std::size_t index,
+                    const glm::dvec3& place, const std::string& source)
+{
+    Instance instance;
+    instance.blade = bladeOf(field, patch, index, source);
+    instance.id = field.idOf(index);
+    instance.place = glm::vec3(glm::dvec3(instance.blade.root) - place);
+    instance.rotation = field::bladeRotation(instance.blade.up, instance.blade.facing);
+    const float across = field.species[instance.blade.species].organs.empty()
+                             ? instance.blade.width
+                             : instance.blade.height;
+    instance.scale = {across, instance.blade.height, instance.blade.height};
+    const shared::Patch& own = field.patches[patch];
+    const float share = (static_cast<float>(index - own.firstBlade) + 0.5f) / float(own.bladeCount);
+    instance.rank = own.rankLow + (own.rankHigh - own.rankLow) * share;
+    instance.look = {};
+    return instance;
+}
+
 std::vector<Instance> instancesOf(const field::FieldView& field, const BladeGroup& group,
                                   const std::string& source)
 {
@@ -37,20 +56,7 @@ std::vector<Instance> instancesOf(const field::FieldView& field, const BladeGrou
             // The mesh of a stalk's species holds its ribbons.
             if (field.isRibbon(i))
                 continue;
-            Instance instance;
-            instance.blade = bladeOf(field, p, i, source);
-            instance.id = field.idOf(i);
-            instance.place = glm::vec3(glm::dvec3(instance.blade.root) - group.place);
-            instance.rotation = field::bladeRotation(instance.blade.up, instance.blade.facing);
-            const float across = field.species[instance.blade.species].organs.empty()
-                                     ? instance.blade.width
-                                     : instance.blade.height;
-            instance.scale = {across, instance.blade.height, instance.blade.height};
-            const float place =
-                (static_cast<float>(i - patch.firstBlade) + 0.5f) / float(patch.bladeCount);
-            instance.rank = patch.rankLow + (patch.rankHigh - patch.rankLow) * place;
-            instance.look = {};
-            instances.push_back(instance);
+            instances.push_back(instanceOf(field, p, i, group.place, source));
         }
     }
     return instances;

@@ -29,6 +29,11 @@ struct Instance {
 shared::Blade bladeOf(const field::FieldView& field, std::uint32_t patch, std::size_t index,
                       const std::string& source);
 
+/// Blade `index` of patch `patch`, which is no ribbon, with its place relative to `place` [m] from
+/// the field's origin. Throws as bladeOf() does.
+Instance instanceOf(const field::FieldView& field, std::uint32_t patch, std::size_t index,
+                    const glm::dvec3& place, const std::string& source);
+
 /// The instances of a group, patch after patch, each in progressive order. Throws as bladeOf()
 /// does.
 std::vector<Instance> instancesOf(const field::FieldView& field, const BladeGroup& group,

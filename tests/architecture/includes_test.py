@@ -109,7 +109,7 @@ INSIDE = {
     "core": "math system files json",
     "shared": "look sow layers",
     "field": "file measure seeds",
-    "interchange": "engine usda gltf compact",
+    "interchange": "engine usda gltf compact tiles",
     "godot": "abi field native",
     "gpu": "context recording memory pipeline device presentation",
     "render": "frame field edits streaming sowing host resident cull resolve raster tessellation preview layers viewer",

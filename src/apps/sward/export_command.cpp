@@ -1,9 +1,11 @@
 #include "apps/common/field_input.h"
 #include "apps/common/interrupt.h"
 #include "apps/common/output.h"
+#include "apps/common/parse_text.h"
 #include "apps/common/terminal/log_switches.h"
 #include "apps/common/terminal/progress_bar.h"
 #include "apps/common/version.h"
+#include "apps/sward/files/new_output_folder.h"
 #include "apps/sward/files/output_files.h"
 #include "apps/sward/options/growth_options.h"
 #include "apps/sward/subcommand.h"
@@ -15,6 +17,7 @@
 #include "field/write.h"
 #include "interchange/formats.h"
 #include "interchange/page.h"
+#include "interchange/tiles/tileset.h"
 
 #include <CLI/CLI.hpp>
 #include <fmt/core.h>
@@ -23,7 +26,9 @@
 #include <filesystem>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <system_error>
+#include <vector>
 
 namespace sward::apps {
 namespace {
@@ -45,6 +50,30 @@ void checkPage(const std::filesystem::path& folder, bool overwrite)
     if (!overwrite && !std::filesystem::is_empty(folder, ignored))
         fail(ErrorKind::io, "{}: the folder is not empty; --force writes the page into it",
              folder.string());
+}
+
+// The file by which a folder of tiles is known.
+constexpr const char* tilesMark = "tileset.json";
+
+bool liesIn(const std::filesystem::path& file, const std::filesystem::path& folder)
+{
+    std::error_code ignored;
+    const std::filesystem::path inside =
+        std::filesystem::weakly_canonical(file, ignored)
+            .lexically_relative(std::filesystem::weakly_canonical(folder / "", ignored));
+    return !inside.empty() && *inside.begin() != "..";
+}
+
+std::optional<interchange::Geodetic> geodeticOf(const std::string& text)
+{
+    if (text.empty())
+        return std::nullopt;
+    const std::vector<std::string_view> parts = splitText(text, ',');
+    if (parts.size() != 3)
+        fail(ErrorKind::usage, "--at is \"{}\"; expected LON,LAT,H", text);
+    return interchange::Geodetic{.longitude = parseNumber("--at", parts[0], -180.0, 180.0),
+                                 .latitude = parseNumber("--at", parts[1], -90.0, 90.0),
+                                 .height = parseNumber("--at", parts[2], -1e5, 1e6)};
 }
 
 class Export : public Subcommand {
@@ -73,6 +102,15 @@ public:
                         "Name of the compression in a compact .glb: EXT or KHR, the newer one")
             ->type_name("NAME")
             ->check(CLI::IsMember({"EXT", "KHR"}).description(""));
+        app().add_flag("--tiles", tiles_,
+                       "Write a folder OUT with 3D Tiles 1.1: tileset.json and compact .glb files");
+        app()
+            .add_option(
+                "--at", at_,
+                "With --tiles: longitude and latitude (degrees, WGS84) and height above the "
+                "ellipsoid (metres) of the world's origin; X then points to the east, -Z to "
+                "the north")
+            ->type_name("LON,LAT,H");
         app().add_flag("--force", settings_.overwrite, "Overwrite an existing file");
         growth_.add(app(), "Of a field with seeds");
         log_.add(app());
@@ -82,14 +120,32 @@ public:
     int run() const override
     {
         log_.apply();
-        if (isPage(output_))
+        if (isPage(output_) && !tiles_)
             return exportPage();
         // Check before any work.
+        if (tiles_)
+            return runTiles();
+        if (!at_.empty())
+            fail(ErrorKind::usage, "{}: --at needs --tiles", output_);
         const interchange::Format& format = interchange::formatOf(output_, settings_);
         if (!meshopt_.empty() && !(settings_.compact && format.hasGround))
             fail(ErrorKind::usage, "{}: --meshopt needs --compact and a .glb output", output_);
         checkOutput(output_, format.extension, {file_}, settings_.overwrite);
 
+        writeField([&](const field::FieldView& view, const interchange::ExportSettings& settings,
+                       Progress& progress, const field::Field*) {
+            format.write(view, output_, settings, progress);
+            return sizeText(std::filesystem::file_size(output_));
+        });
+        return 0;
+    }
+
+private:
+    // Reads the field, or grows it, and calls write(view, settings, progress, grown field or null).
+    // That returns what is said of the result.
+    template <typename Write>
+    void writeField(Write write) const
+    {
         requireField(file_);
         const field::MappedField field = field::readField(file_);
         interchange::ExportSettings settings = settings_;
@@ -103,39 +159,47 @@ public:
         const std::optional<field::Field> grown =
             growth_.grownOf(field.view(), 0, file_, "exported", progress);
         const field::FieldView view = grown ? field::viewOf(*grown) : field.view();
-        format.write(view, output_, settings, progress);
+        const std::string said = write(view, settings, progress, grown ? &*grown : nullptr);
         bar.clear();
-        writeResult(fmt::format("{}: {} blades, {}\n", output_, field::rootedBlades(view),
-                                sizeText(std::filesystem::file_size(output_))));
+        writeResult(fmt::format("{}: {} blades, {}\n", output_, field::rootedBlades(view), said));
+    }
+
+    int runTiles() const
+    {
+        if (settings_.withGround || settings_.compact || settings_.forEngines)
+            fail(ErrorKind::usage,
+                 "{}: --tiles takes none of --compact, --for-engines and --with-ground", output_);
+        NewOutputFolder::requirePlace(output_, tilesMark, settings_.overwrite);
+        if (liesIn(file_, output_))
+            fail(ErrorKind::usage, "{}: is read and lies in the folder {}", file_, output_);
+        const std::optional<interchange::Geodetic> at = geodeticOf(at_);
+        writeField([&](const field::FieldView& view, interchange::ExportSettings settings,
+                       Progress& progress, const field::Field*) {
+            settings.at = at;
+            NewOutputFolder folder(output_, tilesMark, settings.overwrite);
+            const interchange::TilesetSummary summary =
+                interchange::writeTiles(view, folder.filling(), settings, progress);
+            folder.put();
+            return fmt::format("{} tiles, {}", summary.tiles, sizeText(summary.bytes));
+        });
         return 0;
     }
 
-private:
     int exportPage() const
     {
         const std::filesystem::path folder(output_);
-        if (settings_.withGround)
-            fail(ErrorKind::usage, "{}: --with-ground needs a .glb output", output_);
+        if (settings_.withGround || settings_.compact || settings_.forEngines)
+            fail(ErrorKind::usage,
+                 "{}: a page takes none of --compact, --for-engines and --with-ground", output_);
         checkPage(folder, settings_.overwrite);
-        requireField(file_);
-        const field::MappedField field = field::readField(file_);
-        interchange::ExportSettings settings = settings_;
-        settings.source = file_;
-        ProgressBar bar(log_.showBar());
-        Progress progress(bar.callback());
-        const CancelOnInterrupt cancel(progress);
-        const std::optional<field::Field> grown =
-            growth_.grownOf(field.view(), 0, file_, "exported", progress);
-        const field::FieldView view = grown ? field::viewOf(*grown) : field.view();
-        std::uint64_t bytes = interchange::writePage(view, folder, settings, progress);
-        const std::filesystem::path copy = folder / "field.sward";
-        if (grown)
-            bytes += field::writeField(*grown, copy, settings_.overwrite);
-        else
-            bytes += copyField(copy);
-        bar.clear();
-        writeResult(fmt::format("{}: {} blades, {}; serve the folder, and open index.html\n",
-                                output_, field::rootedBlades(view), sizeText(bytes)));
+        writeField([&](const field::FieldView& view, const interchange::ExportSettings& settings,
+                       Progress& progress, const field::Field* grown) {
+            std::uint64_t bytes = interchange::writePage(view, folder, settings, progress);
+            const std::filesystem::path copy = folder / "field.sward";
+            bytes += grown != nullptr ? field::writeField(*grown, copy, settings.overwrite)
+                                      : copyField(copy);
+            return sizeText(bytes) + "; serve the folder, and open index.html";
+        });
         return 0;
     }
 
@@ -151,6 +215,8 @@ private:
     std::string file_;
     std::string output_;
     std::string meshopt_;
+    std::string at_;
+    bool tiles_ = false;
     interchange::ExportSettings settings_;
     GrowthOptions growth_;
     LogSwitches log_;

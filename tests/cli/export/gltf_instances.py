@@ -172,7 +172,7 @@ def instances(glb):
     by its name."""
     scene = glb.json["scenes"][glb.json["scene"]]
     (root,) = (glb.json["nodes"][i] for i in scene["nodes"])
-    origin = numpy.array(root["translation"], numpy.float64)
+    origin = numpy.array(root.get("translation", [0.0, 0.0, 0.0]), numpy.float64)
     below = [glb.json["nodes"][i] for i in root.get("children", [])]
     columns = {}
     for node, attributes in glb.instanced_nodes():
