@@ -9,11 +9,12 @@
 
 namespace sward::interchange {
 
-/// A tile with more blades than this has children, and shows a part of them itself.
-inline constexpr std::uint64_t largestTile = 32768;
+/// A tile with more blades than this has children, and shows a part of them itself. The meshes of
+/// plants, of which each tile has its own, then take about a sixth of a tile.
+inline constexpr std::uint64_t largestTile = 65536;
 
 /// Blades that a tile with children shows, about.
-inline constexpr std::uint64_t tileRepresentatives = 16384;
+inline constexpr std::uint64_t tileRepresentatives = 32768;
 
 /// Largest factor by which the blades of a tile with children are widened. Beyond it they cover
 /// less than all blades would, instead of looking like boards.

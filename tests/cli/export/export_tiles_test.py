@@ -17,7 +17,7 @@ from support import IO, USAGE
 
 PLACE = 2.0 ** -12  # [m] half a step of compact places
 SCALE = 1.0 / 256.0  # of the largest of a node
-LARGEST = 32768  # blades of a leaf
+LARGEST = 65536  # blades of a leaf
 WIDENING = 8.0
 
 # Places on WGS84 and earth-centred ones that are known: pole, equator, and EPSG's Guidance Note 7-2, 4.1.1.
@@ -89,7 +89,7 @@ class TilesExport(ExportTest):
         self.assertAlmostEqual(tiles.error((deepest, 0, 0, 0)) / wide / 16.0, 1.0, delta=0.35)
 
     def test_dense_grass_has_many_levels(self):
-        tiles = self.tiles(self.bake("plane", "--count", "300000", "--sky-rays", "0", "--meadow", "grass"), "deep")
+        tiles = self.tiles(self.bake("plane", "--count", "500000", "--sky-rays", "0", "--meadow", "grass"), "deep")
         counts = {}
         for tile, path in tiles.tiles.items():
             content = path.read_bytes()
@@ -98,12 +98,12 @@ class TilesExport(ExportTest):
                                ["count"] for node in glb["nodes"] if "mesh" in node)
         self.assertGreater(tiles.levels, tiles.subtree_levels, "there is more than one file of subtrees")
         leaves = set(tiles.leaves())
-        self.assertEqual(sum(counts[tile] for tile in leaves), 300000)
+        self.assertEqual(sum(counts[tile] for tile in leaves), 500000)
         for tile in tiles.tiles.keys() - leaves:
-            self.assertLess(counts[tile], 1.5 * 16384)
+            self.assertLess(counts[tile], 1.5 * 32768)
 
     def test_tiles_of_a_planet(self):
-        self.check(self.bake("sphere", "--count", "35000", "--sky-rays", "0"))
+        self.check(self.bake("sphere", "--count", "70000", "--sky-rays", "0"))
 
     def test_tiles_far_away_keep_their_places(self):
         self.check(self.far_field())
