@@ -65,6 +65,8 @@ private:
     // Writes a tile that holds `blades`, and those below it.
     void write(const Tile& tile, std::uint64_t blades)
     {
+        // Tiles with children count no progress.
+        progress_.throwIfCancelled();
         const bool isLeaf = blades <= largestTile || tile.size <= smallestTile;
         const float share =
             isLeaf ? allBlades : float(tileRepresentatives) / static_cast<float>(blades);

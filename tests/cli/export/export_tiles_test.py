@@ -1,6 +1,8 @@
 """The export of 3D Tiles, read back by a reader of its own: every blade, the tree, errors, and the command."""
 
 import json
+import resource
+import signal
 import sys
 import unittest
 from pathlib import Path
@@ -160,6 +162,20 @@ class TilesExport(ExportTest):
         (self.folder / "tiles/field.sward").write_bytes(Path(field).read_bytes())
         self.refused("export", "tiles/field.sward", "-o", "tiles", "--tiles", "--force", code=USAGE,
                      names=["tiles/field.sward"])
+
+    def test_a_full_disk_leaves_the_former_folder(self):
+        def small_files_only():
+            resource.setrlimit(resource.RLIMIT_FSIZE, (20000, 20000))
+            signal.signal(signal.SIGXFSZ, signal.SIG_IGN)
+
+        field = self.bake("plane", "--count", "5000", "--sky-rays", "0")
+        self.tiles(field, "tiles")
+        before = {path: path.read_bytes() for path in (self.folder / "tiles").rglob("*") if path.is_file()}
+        for name, options in (("tiles", ["--force"]), ("new", [])):
+            self.sward("export", field, "-o", name, "--tiles", *options, code=IO, before=small_files_only)
+        self.assertEqual({path.name for path in self.folder.iterdir()}, {"field.sward", "tiles"})
+        after = {path: path.read_bytes() for path in (self.folder / "tiles").rglob("*") if path.is_file()}
+        self.assertEqual(after, before)
 
     def test_options_that_do_not_fit_are_refused(self):
         self.bake("plane", "--count", "50")
