@@ -52,16 +52,23 @@ def walk(frames):
                "fov_y_deg": 60}
 
 
-def leaf_area_by_height(field, step=0.02):
-    """(edges [m], area [m²] of each step and species): each blade's area, spread along its curve at rest."""
-    blades, curves = field.blades(), field.curves()
-    t = numpy.linspace(0.05, 0.95, 10)[:, None]
-    y = curves[:, None, :, 1] - curves[:, None, :1, 1]  # above the root
-    height = (1 - t.T) ** 2 * y[..., 0] + 2 * t.T * (1 - t.T) * y[..., 1] + t.T**2 * y[..., 2]
-    edges = numpy.arange(0.0, max(float(height.max()), step) + step, step)
-    area = [numpy.histogram(height[own], edges, weights=numpy.repeat(blades["area"][own, None] / len(t), len(t), 1))[0]
-            for own in (blades["species"] == number for number in range(len(field.species)))]
-    return edges, numpy.array(area)
+def leaf_area_by_height(field, step=0.02, chunk=100_000):
+    """(edges [m], area [m²] by species and step): each blade's area, spread along its curve at rest."""
+    t = (numpy.arange(20) + 0.5) / 20
+    bezier = numpy.stack([(1 - t) ** 2, 2 * t * (1 - t), t**2])
+    edges = numpy.arange(0.0, 1.3 * float(field.blades()["height"].max()) + 2 * step, step)
+    area = numpy.zeros((len(field.species), len(edges) - 1))
+    for first in range(0, len(field), chunk):
+        count = min(chunk, len(field) - first)
+        blades, curves = field.blades(first, count), field.curves(first, count)
+        # A leaf of a compound plant has the root of its stalk.
+        height = numpy.maximum(curves[:, :, 1] @ bezier - blades["root"][:, 1:2], 0)
+        weight = numpy.repeat(blades["area"][:, None] / len(t), len(t), axis=1)
+        for number in range(len(field.species)):
+            own = blades["species"] == number
+            area[number] += numpy.histogram(height[own], edges, weights=weight[own])[0]
+    used = 1 + int(numpy.flatnonzero(area.sum(axis=0))[-1])
+    return edges[: used + 1], area[:, :used]
 
 
 def write_png(path, picture):

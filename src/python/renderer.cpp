@@ -95,8 +95,6 @@ public:
         return gpu::readImage(device_.context(), target_, gpu::ImageUse::colorTarget);
     }
 
-    render::FrameStats stats() const { return renderer_.stats(onlySlot); }
-
 private:
     gpu::Image targetOf(glm::uvec2 size) const
     {
@@ -168,15 +166,6 @@ public:
     }
 
     std::string deviceName() const { return device_.context().name; }
-
-    py::dict stats(bool isLinear)
-    {
-        const render::FrameStats counts = drawer(isLinear).stats();
-        py::dict result;
-        result["total"] = counts.total;
-        result["drawn"] = counts.drawn;
-        return result;
-    }
 
 private:
     static view::FrameOptions optionsOf(const std::vector<std::string>& arguments,
@@ -262,7 +251,6 @@ void addRenderer(py::module_& module)
                 return renderer.render({camera, isJson, time, {width, height}, settings}, isLinear);
             })
         .def("advance", &Renderer::advance)
-        .def("stats", &Renderer::stats)
         .def_property_readonly("device", &Renderer::deviceName);
 }
 

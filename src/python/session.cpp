@@ -15,6 +15,7 @@
 #include <pybind11/stl.h>
 
 #include <algorithm>
+#include <atomic>
 #include <memory>
 #include <optional>
 #include <utility>
@@ -25,9 +26,26 @@ namespace {
 
 namespace py = pybind11;
 
-/// A bake that stays open; see bake::Session. Not for two threads at once.
+/// A bake that stays open; see bake::Session. One call at a time: another one, of a second thread
+/// or of a progress callback, is an Error{usage}.
 class Session {
 public:
+    /// One call.
+    class Turn {
+    public:
+        explicit Turn(const Session& session)
+            : isBusy_(session.isBusy_)
+        {
+            requireUsage(!isBusy_.exchange(true), "the session is busy with another call");
+        }
+        Turn(const Turn&) = delete;
+        Turn& operator=(const Turn&) = delete;
+        ~Turn() { isBusy_.store(false); }
+
+    private:
+        std::atomic<bool>& isBusy_;
+    };
+
     Session(const std::vector<std::string>& arguments, const Inputs& inputs,
             const std::shared_ptr<Field>& baked, const py::object& callback)
     {
@@ -52,11 +70,13 @@ public:
         issueWarnings(diagnostics);
     }
 
+    /// For a call that holds a Turn.
     const bake::Session& open() const { return *session_; }
 
     /// Replaces the strokes from number `keep` on by those of a stroke file's text.
     py::dict paint(const std::string& json, std::size_t keep, const py::object& callback)
     {
+        const Turn turn(*this);
         bake::Strokes next = session_->strokes();
         requireUsage(keep <= next.list.size(), "keep is {}, and there are {} strokes", keep,
                      next.list.size());
@@ -84,6 +104,7 @@ public:
     /// Replaces the ground: by arrays, or by the session's files as they are now.
     py::dict replaceGround(const std::optional<Inputs>& inputs, const py::object& callback)
     {
+        const Turn turn(*this);
         apps::BakeRequest request = request_;
         if (inputs)
             request.given.ground = inputs->given().ground;
@@ -102,6 +123,7 @@ public:
 
     std::shared_ptr<Field> field() const
     {
+        const Turn turn(*this);
         field::Field whole;
         work(py::none(), [&](Progress&) { whole = session_->field(); });
         return std::make_shared<Field>(std::move(whole), request_.inputs.front());
@@ -140,7 +162,18 @@ private:
     std::unique_ptr<terrain::GroundMesh> ground_;
     std::optional<bake::Session> session_;
     std::uint64_t maxBlades_ = 0;
+    mutable std::atomic<bool> isBusy_ = false;
 };
+
+// A property of the session as it is now.
+template <typename Read>
+auto whenFree(Read read)
+{
+    return [read](const Session& session) {
+        const Session::Turn turn(session);
+        return read(session.open());
+    };
+}
 
 } // namespace
 
@@ -153,17 +186,18 @@ void addSession(py::module_& module)
         .def("replace_ground", &Session::replaceGround)
         .def("field", &Session::field)
         .def_property_readonly("species", &Session::speciesNames)
+        .def_property_readonly("strokes", whenFree([](const bake::Session& session) {
+                                   return bake::toJson(session.strokes());
+                               }))
         .def_property_readonly(
-            "strokes",
-            [](const Session& session) { return bake::toJson(session.open().strokes()); })
-        .def_property_readonly("count",
-                               [](const Session& session) { return session.open().bladeCount(); })
-        .def_property_readonly("has_reused",
-                               [](const Session& session) { return session.open().hasReused(); })
-        .def_property_readonly("origin", [](const Session& session) {
-            const glm::dvec3& origin = session.open().ground().origin;
-            return py::make_tuple(origin.x, origin.y, origin.z);
-        });
+            "count", whenFree([](const bake::Session& session) { return session.bladeCount(); }))
+        .def_property_readonly("has_reused", whenFree([](const bake::Session& session) {
+                                   return session.hasReused();
+                               }))
+        .def_property_readonly("origin", whenFree([](const bake::Session& session) {
+                                   const glm::dvec3& origin = session.ground().origin;
+                                   return py::make_tuple(origin.x, origin.y, origin.z);
+                               }));
 }
 
 } // namespace sward::python

@@ -49,7 +49,7 @@ void work(const py::object& callback, const std::function<void(Progress&)>& task
             told.changed.notify_one();
         };
     Progress progress(std::move(tell));
-    std::thread thread([&] {
+    std::jthread thread([&] {
         try {
             task(progress);
         } catch (...) {

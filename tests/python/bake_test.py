@@ -3,6 +3,7 @@
 import json
 import os
 import re
+import resource
 import signal
 import threading
 import time
@@ -221,6 +222,24 @@ class EveryOption(PythonCase):
         report = sward.estimate("hills", density=10)
         field = sward.bake("hills", density=10)
         self.assertAlmostEqual(report["roots"]["kept"] / field.info()["blades"], 1, delta=0.05)
+
+
+class LongCost(PythonCase):
+    def test_arrays_in_and_out_cost_little_more_than_the_program(self):
+        """From heights to a million unpacked blades: processor time, of the best of three runs each."""
+        def spent(who, work):
+            before = resource.getrusage(who)
+            work()
+            after = resource.getrusage(who)
+            return after.ru_utime + after.ru_stime - before.ru_utime - before.ru_stime
+        heights = hills(257)
+        (self.folder / "hills.r32").write_bytes(heights.tobytes())
+        program = lambda: self.by_program("hills.r32", "--size", "257x257", "--extent", 64, 64, "--count", 1_000_000,
+                                          "--meadow", "grass")
+        own = lambda: sward.bake(heights, extent=(64, 64), count=1_000_000, meadow="grass").blades()
+        ratio = (min(spent(resource.RUSAGE_SELF, own) for _ in range(3))
+                 / min(spent(resource.RUSAGE_CHILDREN, program) for _ in range(3)))
+        self.assertLess(ratio, 1.2)
 
 
 if __name__ == "__main__":

@@ -12,6 +12,9 @@ import numpy
 import sward
 
 ROOT = Path(__file__).resolve().parents[2]
+sys.path.append(str(ROOT / "tests/support"))
+from needs import needs  # for the tests, which import it from here
+
 PROGRAM = os.environ.get("SWARD_PROGRAM", str(ROOT / "build/release/bin/sward"))
 VIEWER = os.environ.get("SWARD_VIEW_PROGRAM", str(ROOT / "build/release/bin/sward-view"))
 

@@ -34,7 +34,7 @@ class Labels(PythonCase):
         import labels
         field = sward.bake("plane", count=500, meadow="hay")
         edges, area = labels.leaf_area_by_height(field)
-        self.assertAlmostEqual(area.sum() / field.blades()["area"].sum(), 1, delta=0.1)
+        self.assertAlmostEqual(area.sum() / field.blades()["area"].sum(), 1, delta=1e-4)
         labels.write_png(self.folder / "own.png", labels.numpy.zeros((4, 5, 3), labels.numpy.uint8))
         self.assertEqual((self.folder / "own.png").read_bytes()[16:24], b"\0\0\0\5\0\0\0\4")
 

@@ -6,13 +6,14 @@ import unittest
 import numpy
 import sward
 
-from case import VIEWER, PythonCase
+from case import VIEWER, PythonCase, needs
 
 SIZE = (64, 36)
 CAMERA = {"eye": [0, 3, 12], "target": [0, 0, 0], "fov_y_deg": 50}
 
 
 def pixels(path):
+    needs("pillow")
     from PIL import Image
     return numpy.asarray(Image.open(path).convert("RGB"))
 

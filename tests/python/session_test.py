@@ -34,6 +34,12 @@ class Painting(PythonCase):
             session.paint([ERASE], keep=3)
         self.assertEqual((len(session), session.strokes), (count, []))
 
+    def test_a_call_during_another_one_is_refused(self):
+        session = sward.Session("hills", density=2)
+        with self.assertRaisesRegex(sward.Error, "busy with another call"):
+            session.paint([ERASE], progress=lambda fraction, text: session.field())
+        self.assertEqual(len(session), len(session.field()))
+
     def test_lost_strokes_are_told(self):
         session = sward.Session("hills", density=1)
         with self.assertWarnsRegex(sward.Warning, "strokes"):

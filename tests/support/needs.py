@@ -51,6 +51,9 @@ NEEDS = {
     "skimage": Need("scikit-image", ("python3-skimage",), module("skimage")),
     "pillow": Need("Pillow", ("python3-skimage",), module("PIL")),  # scikit-image depends on it
     "gdal": Need("GDAL with its Python", ("libgdal-dev", "python3-gdal"), module("osgeo")),
+    # What the Python module is built with, before the tests.
+    "pybind11": Need("pybind11 and Python's headers", ("pybind11-dev", "python3-dev"),
+                     lambda: Path("/usr/include/pybind11/pybind11.h").exists()),
     "parallel": Need("GNU parallel", ("parallel",), programs("parallel")),
     "slurm": Need("Slurm", ("munge", "slurmctld", "slurmd", "slurm-client"), programs("munged", "slurmctld", "slurmd", "sbatch")),
     # The packages themselves are fetched by the first test that uses one (tests/cli/export/node_readers.py).

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 
-
 class Error(Exception):
     """What `sward` tells with an exit code.
 

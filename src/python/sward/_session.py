@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-
 import json
 import os
 from typing import Any, Callable, Optional, Union
@@ -25,7 +24,8 @@ class Session:
     baked again. The field is at any time, byte for byte, that of a whole bake.
 
     ground and options: as of sward.bake(), but for those that name outputs. field: one that was baked of
-    this ground with these options; its blades are used. progress: as of sward.bake(). Not for two threads at once.
+    this ground with these options; its blades are used. progress: as of sward.bake(). A call during another one, from
+    a second thread or from `progress`, raises sward.Error.
     """
 
     def __init__(self, ground: Any, *, field: Optional[Field] = None,
