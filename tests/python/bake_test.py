@@ -209,6 +209,7 @@ class EveryOption(PythonCase):
                     continue
                 self.assertIn(key, parameters)
                 self.assertRegex(sward.bake.__doc__, rf"(?m)^  {key}\b.*: \S")
+        self.assertEqual(set(_bake.LEFT_OUT), {"help", "quiet", "verbose", "progress", "dry_run", "print_config"})
         self.assertEqual({key.replace("_", "-") for key in _bake.BAKE_OPTIONS.known}
                          | {key.replace("_", "-") for key in _bake.LEFT_OUT}, listed)
 
