@@ -119,7 +119,7 @@ INSIDE = {
     "terrain/gltf": "file codecs",
     "apps_common": "terminal picture",
     "sward": "files text options",
-    "sward_view": "files picture scene fields paint interface navigation panels window headless",
+    "sward_view": "files picture scene fields paint interface navigation panels window headless dataset",
 }
 
 # Libraries whose sources all lie in folders.

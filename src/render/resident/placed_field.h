@@ -60,6 +60,7 @@ public:
     const DeviceField& field() const { return *field_; }
     const BakedBlades& blades() const { return field_->blades; }
     const BladeStates& states() const { return states_; }
+    void forgetMotion() { hasMoved_ = false; } ///< the next frame is as the first one
     const VisibleBlades& list(std::uint32_t view) const { return lists_[view]; }
     /// Whether a view's list has room for every blade.
     bool listsHoldAll() const { return settings_.maxListed >= blades().placeCount(); }
@@ -85,7 +86,6 @@ public:
     {
         return constants_.motion(slot, view);
     }
-
     /// Wind and colliders of the frame written last.
     const shared::Environment& environment() const { return environment_; }
 

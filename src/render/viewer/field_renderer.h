@@ -89,6 +89,10 @@ public:
     /// before, if that had it, too: its places are followed to this frame.
     LayerWords layerWords(const field::FieldView& field, std::uint32_t slot = 0) const;
 
+    /// Lets the next frame begin anew: its blades are settled in its wind, whatever was drawn
+    /// before. Pictures of a field in memory then depend on what is recorded from there on alone.
+    void forgetMotion();
+
     /// Moves all blades to `time` and draws nothing: for frames before the first one shown.
     void recordUpdateOnly(VkCommandBuffer commands, const FrameSettings& settings, double time,
                           std::uint32_t slot = 0);

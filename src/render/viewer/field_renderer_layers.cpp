@@ -1,4 +1,4 @@
-// The layers of a field's frames.
+// The layers of a field's frames, and frames without a past.
 
 #include "core/error.h"
 #include "render/cull/pass_scope.h"
@@ -47,6 +47,17 @@ LayerWords FieldRenderer::layerWords(const field::FieldView& field, std::uint32_
     if ((words.wanted & (bitOf(Layer::blade) | bitOf(Layer::plant))) != 0)
         words.ids = idsOf(*parts.field, field);
     return words;
+}
+
+void FieldRenderer::forgetMotion()
+{
+    Parts& parts = *parts_;
+    parts.blades->forgetMotion();
+    parts.frameNumber = 0;
+    parts.lastTime = 0.0;
+    parts.seenBefore.reset();
+    if (parts.layers)
+        parts.layers->forgetPlaces();
 }
 
 /// Throws unless the target's layers can be written.

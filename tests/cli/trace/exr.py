@@ -5,7 +5,7 @@ import struct
 import zlib
 
 FORMATS = {0: "I", 1: "e", 2: "f"}
-LINES = {2: 1, 3: 16}
+LINES = {0: 1, 2: 1, 3: 16}
 
 
 def text_at(data, at):
@@ -13,10 +13,10 @@ def text_at(data, at):
     return data[at:end].decode(), end + 1
 
 
-def header_of(data):
+def header_of(data, at=8):
     """The attributes, and where they end."""
     assert data[:4] == bytes((0x76, 0x2f, 0x31, 0x01)), "an EXR file"
-    at, header = 8, {}
+    header = {}
     while data[at] != 0:
         name, at = text_at(data, at)
         _, at = text_at(data, at)
@@ -48,26 +48,59 @@ def unzipped(block, size):
     return bytes(joined)
 
 
+def rows_of(block, rows, width, channels, pixels):
+    """Adds the numbers of a block of scan lines to those of each channel."""
+    place = 0
+    for _ in range(rows):
+        for name, kind in channels:
+            form = f"<{width}{kind}"
+            pixels[name] += struct.unpack_from(form, block, place)
+            place += struct.calcsize(form)
+
+
+class Part:
+    """A picture of a file: the numbers of each channel, row after row from the top."""
+
+    def __init__(self, header):
+        left, top, right, bottom = struct.unpack("<4i", header["dataWindow"])
+        self.name = header["name"].decode() if "name" in header else ""
+        self.width, self.height = right - left + 1, bottom - top + 1
+        self.lines = LINES[header["compression"][0]]
+        self.channels = channels_of(header["channels"])
+        self.blocks = -(-self.height // self.lines)
+        self.pixels = {name: [] for name, _ in self.channels}
+
+    def add(self, data, at):
+        """Reads the block at a place; returns where it ends."""
+        first, size = struct.unpack_from("<ii", data, at)
+        rows = min(self.lines, self.height - first)
+        row_bytes = sum(struct.calcsize(kind) for _, kind in self.channels) * self.width
+        block = unzipped(data[at + 8:at + 8 + size], rows * row_bytes)
+        rows_of(block, rows, self.width, self.channels, self.pixels)
+        return at + 8 + size
+
+
 def read_exr(path):
     """Size of the picture, and the numbers of each channel, row after row from the top."""
     data = path.read_bytes()
     header, at = header_of(data)
-    left, top, right, bottom = struct.unpack("<4i", header["dataWindow"])
-    width, height = right - left + 1, bottom - top + 1
-    lines = LINES[header["compression"][0]]
-    channels = channels_of(header["channels"])
-    row_bytes = sum(struct.calcsize(kind) for _, kind in channels) * width
-    at += 8 * -(-height // lines)
-    pixels = {name: [] for name, _ in channels}
-    for first in range(0, height, lines):
-        rows = min(lines, height - first)
-        _, size = struct.unpack_from("<ii", data, at)
-        block = unzipped(data[at + 8:at + 8 + size], rows * row_bytes)
-        at += 8 + size
-        place = 0
-        for _ in range(rows):
-            for name, kind in channels:
-                form = f"<{width}{kind}"
-                pixels[name] += struct.unpack_from(form, block, place)
-                place += struct.calcsize(form)
-    return (width, height), pixels
+    part = Part(header)
+    at += 8 * part.blocks
+    for _ in range(part.blocks):
+        at = part.add(data, at)
+    return (part.width, part.height), part.pixels
+
+
+def read_parts(path):
+    """The same of a file of several pictures, by the names of these."""
+    data = path.read_bytes()
+    assert data[5] & 0x10, "a file of several parts"
+    parts, at = [], 8
+    while data[at] != 0:
+        header, at = header_of(data, at)
+        parts.append(Part(header))
+    at += 1 + 8 * sum(part.blocks for part in parts)
+    for _ in range(sum(part.blocks for part in parts)):
+        number, = struct.unpack_from("<i", data, at)
+        at = parts[number].add(data, at + 4)
+    return {part.name: ((part.width, part.height), part.pixels) for part in parts}

@@ -113,7 +113,7 @@ class RadianceTest(unittest.TestCase):
         self.assertEqual(len(list(self.folder.glob("f_0[12].exr"))), 2)
 
     def test_what_makes_no_sense_or_cannot_be_written_is_refused(self):
-        for arguments, code, says in ((("x.exr", "--debug", "lod"), USAGE, "--debug"), (("x.EXR",), USAGE, ".png or .exr"),
+        for arguments, code, says in ((("x.exr", "--debug", "lod"), USAGE, "--debug"), (("x.EXR",), USAGE, ".exr or .npz"),
                                       (("none/x.exr",), IO, "none"), (("meadow.sward.exr/x.exr",), IO, "x.exr")):
             with self.subTest(arguments=arguments):
                 self.assertIn(says, self.run_view(*arguments, code=code))

@@ -8,7 +8,10 @@
 #include <OpenEXR/ImfFrameBuffer.h>
 #include <OpenEXR/ImfHeader.h>
 #include <OpenEXR/ImfIO.h>
+#include <OpenEXR/ImfMultiPartOutputFile.h>
 #include <OpenEXR/ImfOutputFile.h>
+#include <OpenEXR/ImfOutputPart.h>
+#include <OpenEXR/ImfPartType.h>
 
 #include <algorithm>
 #include <cstdint>
@@ -58,10 +61,18 @@ Imf::PixelType pixelType(ExrChannel::Type type)
     return Imf::FLOAT;
 }
 
-std::vector<std::byte> encode(glm::uvec2 size, std::span<const ExrChannel> channels)
+Imf::Header headerOf(glm::uvec2 size, ExrCompression compression)
 {
     Imf::Header header(static_cast<int>(size.x), static_cast<int>(size.y));
-    header.compression() = Imf::ZIP_COMPRESSION;
+    header.compression() =
+        compression == ExrCompression::zip ? Imf::ZIP_COMPRESSION : Imf::NO_COMPRESSION;
+    return header;
+}
+
+/// Adds channels to a header, and where their numbers are.
+Imf::FrameBuffer addChannels(Imf::Header& header, glm::uvec2 size,
+                             std::span<const ExrChannel> channels)
+{
     Imf::FrameBuffer pixels;
     for (const ExrChannel& channel : channels) {
         const Imf::PixelType type = pixelType(channel.type);
@@ -70,6 +81,37 @@ std::vector<std::byte> encode(glm::uvec2 size, std::span<const ExrChannel> chann
         char* const first = static_cast<char*>(const_cast<void*>(channel.first));
         pixels.insert(channel.name, Imf::Slice(type, first, channel.step, channel.step * size.x));
     }
+    return pixels;
+}
+
+std::vector<std::byte> encode(glm::uvec2 size, std::span<const ExrPart> parts,
+                              ExrCompression compression)
+{
+    std::vector<Imf::Header> headers;
+    std::vector<Imf::FrameBuffer> pixels;
+    for (const ExrPart& part : parts) {
+        Imf::Header& header = headers.emplace_back(headerOf(size, compression));
+        header.setName(part.name);
+        header.setType(Imf::SCANLINEIMAGE);
+        pixels.push_back(addChannels(header, size, part.channels));
+    }
+    MemoryOutput output;
+    {
+        Imf::MultiPartOutputFile file(output, headers.data(), static_cast<int>(headers.size()),
+                                      false, 0);
+        for (std::size_t i = 0; i < headers.size(); ++i) {
+            Imf::OutputPart part(file, static_cast<int>(i));
+            part.setFrameBuffer(pixels[i]);
+            part.writePixels(static_cast<int>(size.y));
+        }
+    }
+    return output.bytes();
+}
+
+std::vector<std::byte> encode(glm::uvec2 size, std::span<const ExrChannel> channels)
+{
+    Imf::Header header = headerOf(size, ExrCompression::zip);
+    const Imf::FrameBuffer pixels = addChannels(header, size, channels);
     MemoryOutput output;
     {
         Imf::OutputFile file(output, header, 0);
@@ -79,24 +121,41 @@ std::vector<std::byte> encode(glm::uvec2 size, std::span<const ExrChannel> chann
     return output.bytes();
 }
 
+/// Writes what `encoded` returns.
+template <typename Encode>
+void writeEncoded(const Encode& encoded, glm::uvec2 size, std::size_t channels,
+                  const std::filesystem::path& path, bool overwrite)
+{
+    expect(size.x > 0 && size.y > 0 && channels > 0, "a picture has pixels and channels");
+    std::vector<std::byte> bytes;
+    try {
+        bytes = encoded();
+    } catch (const std::bad_alloc&) {
+        throw;
+    } catch (const std::exception&) {
+        fail(ErrorKind::runtime, "{}: cannot encode a picture of {}x{} pixels with {} channels",
+             path.string(), size.x, size.y, channels);
+    }
+    AtomicFile file(path, overwrite);
+    file.write(bytes);
+    file.commit();
+}
+
 } // namespace
 
 void writeExr(glm::uvec2 size, std::span<const ExrChannel> channels,
               const std::filesystem::path& path, bool overwrite)
 {
-    expect(size.x > 0 && size.y > 0 && !channels.empty(), "a picture has pixels and channels");
-    std::vector<std::byte> encoded;
-    try {
-        encoded = encode(size, channels);
-    } catch (const std::bad_alloc&) {
-        throw;
-    } catch (const std::exception&) {
-        fail(ErrorKind::runtime, "{}: cannot encode a picture of {}x{} pixels with {} channels",
-             path.string(), size.x, size.y, channels.size());
-    }
-    AtomicFile file(path, overwrite);
-    file.write(encoded);
-    file.commit();
+    writeEncoded([&] { return encode(size, channels); }, size, channels.size(), path, overwrite);
+}
+
+void writeExrParts(glm::uvec2 size, std::span<const ExrPart> parts, ExrCompression compression,
+                   const std::filesystem::path& path, bool overwrite)
+{
+    std::size_t channels = 0;
+    for (const ExrPart& part : parts)
+        channels += part.channels.size();
+    writeEncoded([&] { return encode(size, parts, compression); }, size, channels, path, overwrite);
 }
 
 } // namespace sward::apps

@@ -6,6 +6,7 @@
 #include <filesystem>
 #include <span>
 #include <string>
+#include <vector>
 
 namespace sward::apps {
 
@@ -23,6 +24,22 @@ struct ExrChannel {
     const void* first = nullptr; ///< number of the upper left pixel
     std::size_t step = 4;        ///< [bytes] from one pixel to the next
 };
+
+/// A picture of a file with several: a part.
+struct ExrPart {
+    std::string name;                 ///< unique
+    std::vector<ExrChannel> channels; ///< of this part
+};
+
+/// How parts are compressed, without loss.
+enum class ExrCompression {
+    none, ///< fast to write
+    zip,  ///< small
+};
+
+/// Writes parts of `size` pixels each, as writeExr() does.
+void writeExrParts(glm::uvec2 size, std::span<const ExrPart> parts, ExrCompression compression,
+                   const std::filesystem::path& path, bool overwrite);
 
 /// Writes channels of `size` pixels as scan lines with ZIP compression, whole or not at all. The
 /// bytes depend on nothing else. Throws Error{io}; Error{runtime} if the picture cannot be encoded.

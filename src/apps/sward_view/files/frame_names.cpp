@@ -16,13 +16,15 @@ bool isDigit(char c)
 
 } // namespace
 
-FrameNames::FrameNames(const std::string& pattern, bool mayBeExr)
+FrameNames::FrameNames(const std::string& pattern, bool mayBeExr, bool mayBeNpz)
     : isExr_(mayBeExr && pattern.ends_with(".exr"))
+    , isNpz_(mayBeNpz && pattern.ends_with(".npz"))
 {
-    if (!isExr_ && !pattern.ends_with(".png"))
+    if (!isExr_ && !isNpz_ && !pattern.ends_with(".png"))
         fail(ErrorKind::usage, "-o: '{}' does not end in {}", pattern,
-             mayBeExr ? ".png or .exr, the formats that are written"
-                      : ".png, the one format that is written");
+             mayBeNpz   ? ".png, .exr or .npz, the formats that are written"
+             : mayBeExr ? ".png or .exr, the formats that are written"
+                        : ".png, the one format that is written");
     for (std::size_t i = 0; i < pattern.size(); ++i) {
         std::string& part = numbered_ ? after_ : before_;
         if (pattern[i] != '%') {
@@ -46,6 +48,11 @@ FrameNames::FrameNames(const std::string& pattern, bool mayBeExr)
         numbered_ = true;
         i = end;
     }
+}
+
+const char* FrameNames::extension() const
+{
+    return isExr_ ? ".exr" : isNpz_ ? ".npz" : ".png";
 }
 
 std::filesystem::path FrameNames::of(std::uint64_t frame) const

@@ -57,7 +57,24 @@ render::FieldRendererSettings settingsFor(const FrameOptions& options, Headless:
 {
     render::FieldRendererSettings settings = rendererFor(options, format, wanted.radiance);
     settings.recordCullResults = settings.recordCullResults || wanted.blades;
+    settings.keepsMotion = (wanted.layers & render::flowLayers) != 0;
     return settings;
+}
+
+// Numbers of the fields that patches come from, for the layers of several fields.
+std::vector<std::uint32_t> numbersOf(const FieldGroup& fields, bool areWanted)
+{
+    std::vector<std::uint32_t> numbers;
+    if (!areWanted || fields.members().size() == 1)
+        return numbers;
+    if (fields.members().size() > render::LayerId::maxFields)
+        fail(ErrorKind::usage, "--layers: {} fields are drawn together, more than {}",
+             fields.members().size(), render::LayerId::maxFields);
+    for (std::uint32_t patch = 0; patch < fields.view().patches.size(); ++patch)
+        numbers.push_back(fields.view().patches[patch].bladeCount > 0
+                              ? static_cast<std::uint32_t>(fields.sourceOf(patch).member)
+                              : 0);
+    return numbers;
 }
 
 float aspectOf(glm::uvec2 size)
@@ -71,6 +88,7 @@ Headless::Headless(const FrameOptions& options, Wanted wanted)
     : options_(options)
     , files_(readAll(options.fields))
     , fields_(membersOf(files_, options.fields))
+    , numberOfPatch_(numbersOf(fields_, wanted.layers != 0))
     , settings_(options.settingsFor(fields_.view()))
     , camera_(options.sceneCamera
                   ? readCameraPath(options.sceneCamera->text, options.sceneCamera->place,
@@ -115,6 +133,19 @@ void Headless::skip(std::uint64_t frame)
     ring_.finish();
 }
 
+void Headless::move(const render::FrameSettings& settings, double time)
+{
+    apps::throwIfInterrupted("simulation");
+    const gpu::FrameRing::Frame commands = ring_.begin();
+    timestamps_.beginFrame(commands.commands, slot);
+    {
+        const gpu::TimedScope move(timestamps_, device_.context(), commands.commands, "move");
+        renderer_.recordUpdateOnly(commands.commands, settings, time, slot);
+    }
+    ring_.submit(commands);
+    ring_.finish();
+}
+
 void Headless::stream(std::uint64_t frame)
 {
     for (bool isThere = false; !isThere;) {
@@ -128,12 +159,36 @@ void Headless::stream(std::uint64_t frame)
     }
 }
 
-void Headless::draw(std::uint64_t frame)
+void Headless::draw(std::uint64_t frame, render::LayerMask layers)
 {
-    record(settings_, timeOf(frame), glm::vec2(0.0f));
+    record(shotAt(timeOf(frame)), glm::vec2(0.0f), layers);
 }
 
-void Headless::record(const render::FrameSettings& settings, double time, glm::vec2 jitter)
+void Headless::draw(const Shot& shot, render::LayerMask layers)
+{
+    record(shot, glm::vec2(0.0f), layers);
+}
+
+/// A frame of the path. The frame before may have been drawn or only simulated.
+Headless::Shot Headless::shotAt(double time) const
+{
+    return {.camera = camera_.at(time),
+            .before = camera_.at(std::max(time - options_.fixedStep, 0.0)),
+            .settings = settings_,
+            .time = time};
+}
+
+render::LayerWords Headless::layerWords() const
+{
+    return renderer_.layerWords(fields_.view(), slot);
+}
+
+render::FrameLayers Headless::layersOf(const render::LayerWords& words) const
+{
+    return render::layersOf(words, fields_.view(), numberOfPatch_);
+}
+
+void Headless::record(const Shot& shot, glm::vec2 jitter, render::LayerMask layers)
 {
     apps::throwIfInterrupted("drawing");
     const gpu::FrameRing::Frame frame = ring_.begin();
@@ -144,8 +199,13 @@ void Headless::record(const render::FrameSettings& settings, double time, glm::v
     {
         const gpu::TimedScope total(timestamps_, device_.context(), frame.commands, "total");
         renderer_.record(frame.commands,
-                         {target_.get(), target_.view(), options_.size, target_.storedView()},
-                         camera_.at(time), settings, time, slot, &timestamps_, jitter);
+                         {.image = target_.get(),
+                          .view = target_.view(),
+                          .size = options_.size,
+                          .stored = target_.storedView(),
+                          .layers = layers,
+                          .cameraBefore = layers != 0 ? &shot.before : nullptr},
+                         shot.camera, shot.settings, shot.time, slot, &timestamps_, jitter);
     }
     const std::chrono::duration<double, std::milli> spent =
         std::chrono::steady_clock::now() - begin;
@@ -180,7 +240,9 @@ void Headless::drawReference(std::uint64_t frame, const std::function<void()>& u
     if (everything.tessellationLevel == 0)
         everything.tessellationLevel = referenceSegments;
     for (std::uint32_t i = 0; i < referencePictures; ++i) {
-        record(everything, timeOf(frame), subpixelOffset(i));
+        Shot shot = shotAt(timeOf(frame));
+        shot.settings = everything;
+        record(shot, subpixelOffset(i));
         use();
     }
 }
@@ -204,6 +266,22 @@ void Headless::forgetTimes()
     timestamps_.collect();
     timestamps_.clearHistory();
     recordTimes_.clear();
+}
+
+double Headless::takeDeviceTime()
+{
+    timestamps_.collect();
+    double sum = 0.0;
+    for (const char* name : {"total", "move"})
+        for (const double time : timestamps_.history(name))
+            sum += time;
+    timestamps_.clearHistory();
+    return sum;
+}
+
+std::string Headless::deviceName() const
+{
+    return device_.context().name + " (" + device_.context().driver + ")";
 }
 
 RunStats Headless::stats()

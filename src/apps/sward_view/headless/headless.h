@@ -18,6 +18,7 @@
 
 #include <cstdint>
 #include <functional>
+#include <string>
 #include <vector>
 
 namespace sward::view {
@@ -28,8 +29,9 @@ class Headless {
 public:
     /// What is called for besides counts and times.
     struct Wanted {
-        bool blades = false;   ///< blades()
-        bool radiance = false; ///< radiance() instead of picture(); the exposure is 1
+        bool blades = false;          ///< blades()
+        bool radiance = false;        ///< radiance() instead of picture(); the exposure is 1
+        render::LayerMask layers = 0; ///< that draw() may write
     };
 
     /// Reads the fields first, so that a wrong file is also reported on a machine without a device.
@@ -39,11 +41,37 @@ public:
     /// Throws Error{usage} if the time of `last`, a frame's number, is beyond render::longestTime.
     static void requireTime(const FrameOptions& options, std::uint64_t last);
 
-    /// Draws `frame`; call with ascending frames.
-    void draw(std::uint64_t frame);
+    /// Draws `frame`; call with ascending frames. `layers` are written, too.
+    void draw(std::uint64_t frame, render::LayerMask layers = 0);
 
     /// Uploads the patches of a streamed field visible in `frame`, limited by the memory.
     void stream(std::uint64_t frame);
+
+    /// A frame by itself.
+    struct Shot {
+        render::Camera camera;
+        render::Camera before; ///< of the frame before, for flow
+        render::FrameSettings settings;
+        double time = 0.0; ///< [s]
+    };
+
+    /// Draws a frame that is no frame of the path. `layers` are written, too.
+    void draw(const Shot& shot, render::LayerMask layers);
+
+    /// Moves the blades to `time` [s] under these settings without drawing.
+    void move(const render::FrameSettings& settings, double time);
+
+    /// See render::FieldRenderer::forgetMotion().
+    void forgetMotion() { renderer_.forgetMotion(); }
+
+    const field::FieldView& field() const { return fields_.view(); }    ///< what is drawn
+    const render::FrameSettings& settings() const { return settings_; } ///< of all frames
+
+    /// Time of the device for what was drawn and moved since the last call [ms].
+    double takeDeviceTime();
+
+    /// Name and driver of the device.
+    std::string deviceName() const;
 
     /// Moves the blades to `frame` without drawing.
     void skip(std::uint64_t frame);
@@ -51,6 +79,13 @@ public:
     /// The last picture, on film or as radiance.
     Picture picture();
     Radiance radiance();
+
+    /// The layers of the last picture that draw() has written. Layer::flowForward is that of the
+    /// picture before.
+    render::LayerWords layerWords() const;
+
+    /// The same as arrays; on any thread.
+    render::FrameLayers layersOf(const render::LayerWords& words) const;
 
     /// Reference picture of `frame`: without culling and level of detail, the mean in linear light
     /// of 256 pictures of one frozen state, each shifted by less than a pixel.
@@ -69,7 +104,8 @@ public:
 
 private:
     double timeOf(std::uint64_t frame) const;
-    void record(const render::FrameSettings& settings, double time, glm::vec2 jitter);
+    Shot shotAt(double time) const;
+    void record(const Shot& shot, glm::vec2 jitter, render::LayerMask layers = 0);
 
     /// Draws the pictures of a reference, and calls `use` after each.
     void drawReference(std::uint64_t frame, const std::function<void()>& use);
@@ -77,6 +113,7 @@ private:
     const FrameOptions& options_;
     std::vector<field::MappedField> files_;
     FieldGroup fields_;
+    std::vector<std::uint32_t> numberOfPatch_; ///< number of the field of each patch; empty: one
     render::FrameSettings settings_;
     CameraPath camera_;
     gpu::Instance instance_;

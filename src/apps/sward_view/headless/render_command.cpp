@@ -6,6 +6,9 @@
 #include "apps/sward_view/graphics.h"
 #include "apps/sward_view/headless/blade_csv.h"
 #include "apps/sward_view/headless/headless.h"
+#include "apps/sward_view/headless/layered_drawing.h"
+#include "apps/sward_view/picture/layer_files.h"
+#include "apps/sward_view/picture/layer_list.h"
 #include "core/error.h"
 #include "core/files/atomic_file.h"
 #include "core/log.h"
@@ -28,6 +31,7 @@ constexpr const char* footer =
     "Example:\n"
     "  sward-view render meadow.sward -o meadow.png --camera eye --size 1920x1080\n"
     "  sward-view render meadow.sward -o wind_%04d.png --frames 0:119\n"
+    "  sward-view render meadow.sward -o meadow.exr --layers depth,normal,id --samples 1\n"
     "  sward-view render west.sward east.sward -o both.png";
 
 struct RenderOptions {
@@ -36,10 +40,26 @@ struct RenderOptions {
     std::uint64_t firstFrame = 0;
     std::uint64_t lastFrame = 0;
     bool reference = false;
+    std::string layerList;
+    render::LayerMask layers = 0; ///< of layerList
     std::string stats;
     std::string dump;
     bool force = false;
 };
+
+// The files of a frame.
+void addPaths(const RenderOptions& options, const FrameNames& names, std::uint64_t frame,
+              std::vector<std::filesystem::path>& paths)
+{
+    const std::filesystem::path path = names.of(frame);
+    paths.push_back(path);
+    if (names.isExr() || names.isNpz())
+        return;
+    for (std::uint32_t i = 0; i < render::layerCount; ++i)
+        if (const auto layer = static_cast<render::Layer>(i);
+            (options.layers & render::bitOf(layer)) != 0)
+            paths.push_back(layerPath(path, layer));
+}
 
 // Checks all outputs before the work.
 void checkOutputs(const RenderOptions& options, const FrameNames& names)
@@ -53,7 +73,7 @@ void checkOutputs(const RenderOptions& options, const FrameNames& names)
                 fail(ErrorKind::usage, "{}: is read and would be overwritten", path);
         apps::requireOutput(path, extension, options.force);
     };
-    require(names.of(options.lastFrame).string(), names.isExr() ? ".exr" : ".png");
+    require(names.of(options.lastFrame).string(), names.extension());
     require(options.stats, ".json");
     require(options.dump, ".csv");
 
@@ -61,7 +81,7 @@ void checkOutputs(const RenderOptions& options, const FrameNames& names)
     std::vector<std::filesystem::path> paths;
     const std::uint64_t first = names.numbered() ? options.firstFrame : options.lastFrame;
     for (std::uint64_t frame = first; frame <= options.lastFrame; ++frame)
-        paths.push_back(names.of(frame));
+        addPaths(options, names, frame, paths);
     for (const std::filesystem::path& path : paths)
         refuseOverwrite(path, options.force);
     for (const std::string& path : {options.stats, options.dump})
@@ -73,20 +93,32 @@ void checkOutputs(const RenderOptions& options, const FrameNames& names)
         fail(ErrorKind::usage, "{}: two outputs have the same name", twin->string());
 }
 
-/// Draws a frame and writes its picture.
-void writeFrame(const RenderOptions& options, const FrameNames& names, Headless& headless,
-                std::uint64_t frame)
+/// Writes a picture, and its layers.
+void writeFrame(const RenderOptions& options, const FrameNames& names, std::uint64_t frame,
+                const LayeredFrame& drawn)
 {
-    if (!options.reference) {
-        headless.stream(frame);
-        headless.draw(frame);
-    }
-    if (names.isExr())
-        writeExr(options.reference ? headless.referenceRadiance(frame) : headless.radiance(),
-                 names.of(frame), options.force);
+    const std::filesystem::path path = names.of(frame);
+    if (names.isNpz())
+        writeLayersNpz(drawn.radiance, drawn.layers, path, options.force);
+    else if (names.isExr() && options.layers != 0)
+        writeLayersExr(drawn.radiance, drawn.layers, apps::ExrCompression::zip, path,
+                       options.force);
+    else if (names.isExr())
+        writeExr(drawn.radiance, path, options.force);
     else
-        writePng(options.reference ? headless.reference(frame) : headless.picture(),
-                 names.of(frame), options.force);
+        writePng(drawn.picture, path, options.force);
+    if (!names.isExr() && !names.isNpz() && options.layers != 0)
+        writeLayerPngs(drawn.layers, path, options.force);
+}
+
+/// Draws a reference picture and writes it.
+void writeReference(const RenderOptions& options, const FrameNames& names, Headless& headless,
+                    std::uint64_t frame)
+{
+    if (names.isExr())
+        writeExr(headless.referenceRadiance(frame), names.of(frame), options.force);
+    else
+        writePng(headless.reference(frame), names.of(frame), options.force);
 }
 
 // Simulates up to the first frame, then draws and writes the requested outputs.
@@ -99,34 +131,46 @@ void drawFrames(const RenderOptions& options, const FrameNames& names, Headless&
         headless.skip(frame);
         progress.advance(1);
     }
+    LayeredDrawing drawing(headless, options.layers, names.isExr() || names.isNpz(),
+                           [&](std::uint64_t frame, const LayeredFrame& drawn) {
+                               writeFrame(options, names, frame, drawn);
+                           });
     for (std::uint64_t frame = options.firstFrame; frame <= options.lastFrame; ++frame) {
-        if (names.numbered() || frame == options.lastFrame) {
-            writeFrame(options, names, headless, frame);
-        } else {
-            headless.stream(frame);
-            headless.draw(frame);
-        }
+        const bool isWritten = names.numbered() || frame == options.lastFrame;
+        if (options.reference && isWritten)
+            writeReference(options, names, headless, frame);
+        else
+            drawing.draw(frame, isWritten);
         progress.advance(1);
     }
+    drawing.finish();
 }
 
-int render(const RenderOptions& options)
+int render(RenderOptions& options)
 {
     options.frame.log.apply();
-    const FrameNames names(options.output, true);
+    if (!options.layerList.empty())
+        options.layers = parseLayers("--layers", options.layerList);
+    const FrameNames names(options.output, true, true);
+    if (options.reference && (options.layers != 0 || names.isNpz()))
+        fail(ErrorKind::usage, "--reference: the mean of many pictures has no layers, and is "
+                               "written as .png or .exr");
     checkOutputs(options, names);
-    Headless::requireTime(options.frame, options.lastFrame);
+    const bool looksAhead = (options.layers & render::bitOf(render::Layer::flowForward)) != 0;
+    Headless::requireTime(options.frame, options.lastFrame + (looksAhead ? 1 : 0));
     // Ids are unique only within one field; two fields of one mesh have equal ids.
     if (!options.dump.empty() && options.frame.fields.size() > 1)
         fail(ErrorKind::usage, "--dump-blades: {} fields are drawn; it writes the blades of one",
              options.frame.fields.size());
 
-    if (names.isExr() && options.frame.debug != render::DebugMode::none)
+    if ((names.isExr() || names.isNpz()) && options.frame.debug != render::DebugMode::none)
         fail(ErrorKind::usage,
              "--debug: paints colours, and {} would hold radiance; write a .png of it",
              options.output);
 
-    Headless headless(options.frame, {.blades = !options.dump.empty(), .radiance = names.isExr()});
+    Headless headless(options.frame, {.blades = !options.dump.empty(),
+                                      .radiance = names.isExr() || names.isNpz(),
+                                      .layers = options.layers});
     checkOutputs(options, names); // against the files of settings, cameras and masks
     if (headless.isStreamed() && (options.reference || !options.dump.empty()))
         fail(ErrorKind::usage,
@@ -158,7 +202,8 @@ void addRenderCommand(CLI::App& app, apps::Command& chosen)
         ->add_option(
             "-o,--output", options->output,
             "Picture to write: .png, or .exr with linear radiance as 16-bit R G B, before exposure "
-            "and film curve; with %d or %04d in its name one for each frame")
+            "and film curve, or .npz with the same as an array of NumPy; with %d or %04d in its "
+            "name one for each frame")
         ->type_name("OUT")
         ->required();
     options->frame.addShared(*command);
@@ -175,6 +220,13 @@ void addRenderCommand(CLI::App& app, apps::Command& chosen)
         ->default_str("0:0");
     command->add_flag("--reference", options->reference,
                       "Mean of 256 pictures of one state, without culling and level of detail");
+    command
+        ->add_option(
+            "--layers", options->layerList,
+            "Numbers of pixels to write besides, all or a list of " + layerNames() +
+                ": parts of an .exr, arrays of an .npz, or beside a .png a .png of 16 bits "
+                "for each (docs/layers.md)")
+        ->type_name("LIST");
     command->add_option("--stats", options->stats, "JSON file for counts and times")
         ->type_name("FILE.json");
     command

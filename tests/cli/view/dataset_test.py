@@ -1,0 +1,170 @@
+"""`sward-view dataset`: a set is the same from any number of processes, and after it was stopped."""
+
+import json
+import os
+import signal
+import subprocess
+import tempfile
+import time
+import unittest
+from pathlib import Path
+
+import numpy as np
+
+SWARD = os.environ["SWARD_PROGRAM"]
+VIEWER = os.environ["SWARD_VIEW_PROGRAM"]
+ENVIRONMENT = {name: value for name, value in os.environ.items()
+               if name not in ("DISPLAY", "WAYLAND_DISPLAY")}
+FRAMES = 8
+SCENE = {"about": "a test", "fields": ["f.sward", "g.sward"], "size": "48x32", "frames": FRAMES, "seed": 3,
+         "layers": "depth,id,class,flow-backward,flow-forward", "format": "npz",
+         "cameras": {"height_m": [0.3, 0.6], "pitch_deg": [-60, -30], "heading_deg": [0, 360], "fov_y_deg": [40, 60],
+                     "speed_m_s": [0.2, 1], "x_m": [-0.5, 0.5]},
+         "sun": {"height_deg": [20, 60]}, "wind_strength": [1, 4], "settling_frames": 2,
+         "objects": {"min_area_pixels": 6}}
+
+
+class Dataset(unittest.TestCase):
+    @classmethod
+    def setUpClass(cls):
+        folder = tempfile.TemporaryDirectory(prefix="sward-dataset-")
+        cls.addClassCleanup(folder.cleanup)
+        cls.folder = Path(folder.name)
+        for name, count in (("f", "900"), ("g", "300")):
+            cls.run_program(SWARD, "bake", "plane", "--scale", "0.1", "--count", count, "--blade-scale", "0.6",
+                            "-o", f"{name}.sward")
+        (cls.folder / "set.json").write_text(json.dumps(SCENE), encoding="utf-8")
+        cls.dataset("-o", "one")
+
+    @classmethod
+    def run_program(cls, *arguments, code=0):
+        done = subprocess.run(list(map(str, arguments)), cwd=cls.folder, env=ENVIRONMENT, text=True,
+                              capture_output=True)
+        assert done.returncode == code, (arguments, done.stdout, done.stderr)
+        return done
+
+    @classmethod
+    def dataset(cls, *arguments, scene="set.json", code=0):
+        return cls.run_program(VIEWER, "dataset", scene, *arguments, code=code)
+
+    def files(self, name):
+        """What a folder holds, but for what a process that was killed had begun."""
+        return {file.name: file.read_bytes() for file in (self.folder / name).iterdir()
+                if file.suffix in (".json", ".npz") and not file.name.startswith(".")}
+
+    def frame(self, number):
+        return (json.loads((self.folder / f"one/frame_{number:08}.json").read_text(encoding="utf-8")),
+                np.load(self.folder / f"one/frame_{number:08}.npz"))
+
+    def test_shares_of_four_processes_are_the_set_of_one(self):
+        started = [subprocess.Popen([VIEWER, "dataset", "set.json", "-o", "four", "--share", f"{i}/4", "--threads", "1"],
+                                    cwd=self.folder, env=ENVIRONMENT, stdout=subprocess.DEVNULL) for i in range(1, 5)]
+        self.assertEqual([process.wait() for process in started], [0] * 4)
+        self.assertEqual(self.files("one"), self.files("four"))
+        self.assertEqual(len(self.files("one")), 2 * FRAMES + 2)
+
+    def test_a_killed_run_goes_on_and_makes_the_same(self):
+        process = subprocess.Popen([VIEWER, "dataset", "set.json", "-o", "killed"], cwd=self.folder, env=ENVIRONMENT,
+                                   stdout=subprocess.DEVNULL)
+        while process.poll() is None and not list((self.folder / "killed").glob("frame_*.json")):
+            time.sleep(0.002)
+        process.send_signal(signal.SIGKILL)
+        process.wait()
+        finished = {file.name: file.stat().st_mtime_ns for file in (self.folder / "killed").glob("frame_*.json")}
+        self.assertGreater(len(finished), 0)
+        self.dataset("-o", "killed")
+        self.assertEqual(self.files("one"), self.files("killed"))
+        # What was finished has not been drawn again.
+        for name, when in finished.items():
+            self.assertEqual((self.folder / "killed" / name).stat().st_mtime_ns, when)
+        self.assertIn("nothing is left", self.dataset("-o", "killed").stdout)
+
+    def test_frames_vary_within_the_stated_ranges(self):
+        described = [self.frame(i)[0] for i in range(FRAMES)]
+        self.assertEqual({frame["field"] for frame in described}, {"f.sward", "g.sward"})
+        self.assertEqual(len({tuple(frame["camera"]["eye"]) for frame in described}), FRAMES)
+        for frame in described:
+            x, height, _ = frame["camera"]["eye"]
+            self.assertTrue(-0.5 <= x <= 0.5 and 0.3 <= height <= 0.6)
+            self.assertTrue(40 <= frame["camera"]["fov_y_deg"] <= 60)
+            self.assertTrue(1 <= frame["wind_strength"] <= 4)
+            sine = frame["sun_direction"][1]
+            self.assertTrue(np.sin(np.radians(20)) <= sine <= np.sin(np.radians(60)))
+
+    def test_cameras_carry_depth_and_flow_from_frame_to_frame(self):
+        for number in range(FRAMES):
+            described, arrays = self.frame(number)
+            width, height = described["width"], described["height"]
+
+            def seen(points, camera):
+                place = points @ np.array(camera["world_to_camera"])[:3].T
+                place = place @ np.array(camera["intrinsics"]).T
+                return place[..., :2] / place[..., 2:]
+
+            now = described["camera"]
+            x, y = np.meshgrid(np.arange(width) + 0.5, np.arange(height) + 0.5)
+            rays = np.stack([x, y, np.ones_like(x)], axis=-1) @ np.linalg.inv(np.array(now["intrinsics"])).T
+            rays /= np.linalg.norm(rays, axis=-1, keepdims=True)
+            ground = arrays["class"] == 1
+            depth = np.where(ground, arrays["depth"], 1)
+            world = (rays * depth[..., None]) @ np.array(now["world_to_camera"])[:3, :3] + np.array(now["eye"])
+            points = np.concatenate([world, np.ones((height, width, 1))], axis=-1)
+            self.assertLess(abs(world[ground][:, 1]).max(initial=0), 2e-3)
+            for name, other in (("flow-backward", "camera_before"), ("flow-forward", "camera_after")):
+                way = seen(points, described[other]) - np.stack([x, y], axis=-1)
+                self.assertLess(np.abs(way - arrays[name])[ground].max(initial=0), 0.02)
+                self.assertTrue(np.isfinite(arrays[name]).all())
+
+    def test_objects_are_the_plants_in_the_picture(self):
+        coco = json.loads((self.folder / "one/coco.json").read_text(encoding="utf-8"))
+        self.assertEqual([image["id"] for image in coco["images"]], list(range(FRAMES)))
+        self.assertEqual([a["id"] for a in coco["annotations"]], list(range(1, len(coco["annotations"]) + 1)))
+        plants = [a for a in coco["annotations"] if not a["iscrowd"]]
+        self.assertGreater(len(plants), 20)
+        categories = {category["id"] for category in coco["categories"]}
+        for number in range(FRAMES):
+            _, arrays = self.frame(number)
+            blades = np.zeros(arrays["class"].shape, bool)
+            for annotation in (a for a in coco["annotations"] if a["image_id"] == number):
+                self.assertIn(annotation["category_id"], categories)
+                runs = annotation["segmentation"]["counts"]
+                inside = np.repeat(np.arange(len(runs)) % 2 == 1, runs)
+                mask = inside.reshape(annotation["segmentation"]["size"][::-1]).T
+                self.assertEqual(mask.sum(), annotation["area"])
+                self.assertGreaterEqual(annotation["area"], 6)
+                rows, columns = np.nonzero(mask)
+                self.assertEqual(annotation["bbox"], [columns.min(), rows.min(), np.ptp(columns) + 1, np.ptp(rows) + 1])
+                self.assertTrue((arrays["class"][mask] == 2).all())
+                if annotation["iscrowd"]:
+                    blades |= mask
+                else:
+                    self.assertTrue((arrays["id"][mask] != 0).all())
+            self.assertLessEqual((arrays["class"] == 2).sum() - blades.sum(), 5 * len(categories))
+
+    def test_a_folder_of_another_set_is_refused(self):
+        (self.folder / "other.json").write_text(json.dumps(SCENE | {"seed": 4, "frames": FRAMES + 1}), encoding="utf-8")
+        before = self.files("one")
+        done = self.dataset("-o", "one", scene="other.json", code=1)
+        self.assertIn("its \"scene\" differs", done.stderr)
+        self.assertEqual(self.files("one"), before)
+
+    def test_null_output_says_how_fast_the_device_is(self):
+        self.assertRegex(self.dataset("--null-output").stdout, r"8 frames: [0-9.]+ frames per second on the device")
+
+    def test_wrong_scenes_and_options_are_refused(self):
+        for change, code, says in (({"fields": []}, 3, "fields"), ({"size": "0x3"}, 3, "size"),
+                                   ({"layers": "depths"}, 3, "'depths'"), ({"framez": 3}, 3, "framez"),
+                                   ({"cameras": {"height_m": [2, 1]}}, 3, "height_m"),
+                                   ({"cameras": {"x_m": [500, 600]}}, 3, "x_m"),
+                                   ({"fields": ["none.sward"]}, 2, "none.sward")):
+            (self.folder / "wrong.json").write_text(json.dumps(SCENE | change), encoding="utf-8")
+            done = self.dataset("-o", "wrong", scene="wrong.json", code=code)
+            self.assertIn(says, done.stderr)
+        for share in ("0/4", "5/4", "1", "1/", "x/2", "1/2/3"):
+            self.assertIn("--share", self.dataset("-o", "wrong", "--share", share, code=1).stderr)
+        self.assertIn("--null-output", self.dataset("-o", "wrong", "--null-output", code=1).stderr)
+        self.assertIn("-o is missing", self.dataset(code=1).stderr)
+
+
+if __name__ == "__main__":
+    unittest.main()
