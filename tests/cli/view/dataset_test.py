@@ -154,7 +154,7 @@ class Dataset(unittest.TestCase):
     def test_wrong_scenes_and_options_are_refused(self):
         for change, code, says in (({"fields": []}, 3, "fields"), ({"size": "0x3"}, 3, "size"),
                                    ({"layers": "depths"}, 3, "'depths'"), ({"framez": 3}, 3, "framez"),
-                                   ({"cameras": {"height_m": [2, 1]}}, 3, "height_m"),
+                                   ({"cameras": {"height_m": [-2, 1]}}, 3, "height_m"),
                                    ({"cameras": {"x_m": [500, 600]}}, 3, "x_m"),
                                    ({"fields": ["none.sward"]}, 2, "none.sward")):
             (self.folder / "wrong.json").write_text(json.dumps(SCENE | change), encoding="utf-8")
