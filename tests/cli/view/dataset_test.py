@@ -24,7 +24,7 @@ SCENE = {"about": "a test", "fields": ["f.sward", "g.sward"], "size": "48x32", "
          "objects": {"min_area_pixels": 6}}
 
 
-class Dataset(unittest.TestCase):
+class DatasetCase(unittest.TestCase):
     @classmethod
     def setUpClass(cls):
         folder = tempfile.TemporaryDirectory(prefix="sward-dataset-")
@@ -56,29 +56,8 @@ class Dataset(unittest.TestCase):
         return (json.loads((self.folder / f"one/frame_{number:08}.json").read_text(encoding="utf-8")),
                 np.load(self.folder / f"one/frame_{number:08}.npz"))
 
-    def test_shares_of_four_processes_are_the_set_of_one(self):
-        started = [subprocess.Popen([VIEWER, "dataset", "set.json", "-o", "four", "--share", f"{i}/4", "--threads", "1"],
-                                    cwd=self.folder, env=ENVIRONMENT, stdout=subprocess.DEVNULL) for i in range(1, 5)]
-        self.assertEqual([process.wait() for process in started], [0] * 4)
-        self.assertEqual(self.files("one"), self.files("four"))
-        self.assertEqual(len(self.files("one")), 2 * FRAMES + 2)
 
-    def test_a_killed_run_goes_on_and_makes_the_same(self):
-        process = subprocess.Popen([VIEWER, "dataset", "set.json", "-o", "killed"], cwd=self.folder, env=ENVIRONMENT,
-                                   stdout=subprocess.DEVNULL)
-        while process.poll() is None and not list((self.folder / "killed").glob("frame_*.json")):
-            time.sleep(0.002)
-        process.send_signal(signal.SIGKILL)
-        process.wait()
-        finished = {file.name: file.stat().st_mtime_ns for file in (self.folder / "killed").glob("frame_*.json")}
-        self.assertGreater(len(finished), 0)
-        self.dataset("-o", "killed")
-        self.assertEqual(self.files("one"), self.files("killed"))
-        # What was finished has not been drawn again.
-        for name, when in finished.items():
-            self.assertEqual((self.folder / "killed" / name).stat().st_mtime_ns, when)
-        self.assertIn("nothing is left", self.dataset("-o", "killed").stdout)
-
+class Dataset(DatasetCase):
     def test_frames_vary_within_the_stated_ranges(self):
         described = [self.frame(i)[0] for i in range(FRAMES)]
         self.assertEqual({frame["field"] for frame in described}, {"f.sward", "g.sward"})
@@ -148,9 +127,6 @@ class Dataset(unittest.TestCase):
         self.assertIn("its \"scene\" differs", done.stderr)
         self.assertEqual(self.files("one"), before)
 
-    def test_null_output_says_how_fast_the_device_is(self):
-        self.assertRegex(self.dataset("--null-output").stdout, r"8 frames: [0-9.]+ frames per second on the device")
-
     def test_wrong_scenes_and_options_are_refused(self):
         for change, code, says in (({"fields": []}, 3, "fields"), ({"size": "0x3"}, 3, "size"),
                                    ({"layers": "depths"}, 3, "'depths'"), ({"framez": 3}, 3, "framez"),
@@ -164,6 +140,36 @@ class Dataset(unittest.TestCase):
             self.assertIn("--share", self.dataset("-o", "wrong", "--share", share, code=1).stderr)
         self.assertIn("--null-output", self.dataset("-o", "wrong", "--null-output", code=1).stderr)
         self.assertIn("-o is missing", self.dataset(code=1).stderr)
+
+
+class LongDataset(DatasetCase):
+    """Takes many processes, each of which starts a device."""
+
+    def test_shares_of_four_processes_are_the_set_of_one(self):
+        started = [subprocess.Popen([VIEWER, "dataset", "set.json", "-o", "four", "--share", f"{i}/4", "--threads", "1"],
+                                    cwd=self.folder, env=ENVIRONMENT, stdout=subprocess.DEVNULL) for i in range(1, 5)]
+        self.assertEqual([process.wait() for process in started], [0] * 4)
+        self.assertEqual(self.files("one"), self.files("four"))
+        self.assertEqual(len(self.files("one")), 2 * FRAMES + 2)
+
+    def test_a_killed_run_goes_on_and_makes_the_same(self):
+        process = subprocess.Popen([VIEWER, "dataset", "set.json", "-o", "killed"], cwd=self.folder, env=ENVIRONMENT,
+                                   stdout=subprocess.DEVNULL)
+        while process.poll() is None and not list((self.folder / "killed").glob("frame_*.json")):
+            time.sleep(0.002)
+        process.send_signal(signal.SIGKILL)
+        process.wait()
+        finished = {file.name: file.stat().st_mtime_ns for file in (self.folder / "killed").glob("frame_*.json")}
+        self.assertGreater(len(finished), 0)
+        self.dataset("-o", "killed")
+        self.assertEqual(self.files("one"), self.files("killed"))
+        # What was finished has not been drawn again.
+        for name, when in finished.items():
+            self.assertEqual((self.folder / "killed" / name).stat().st_mtime_ns, when)
+        self.assertIn("nothing is left", self.dataset("-o", "killed").stdout)
+
+    def test_null_output_says_how_fast_the_device_is(self):
+        self.assertRegex(self.dataset("--null-output").stdout, r"8 frames: [0-9.]+ frames per second on the device")
 
 
 if __name__ == "__main__":
