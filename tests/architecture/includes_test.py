@@ -52,7 +52,7 @@ MAY_USE = {
     "c": "core shared field gpu render presentation glm vulkan",
     "godot": "core shared field interchange gpu c fmt glm vulkan posix",
     "apps_common": "core fmt glm nlohmann cli11 stb openexr",
-    "sward": "core shared terrain field interchange trace bake apps_common fmt glm nlohmann cli11 posix",
+    "sward": "core shared terrain field interchange trace bake apps_common fmt glm nlohmann cli11",
     "sward_view": "core shared shaders field gpu render presentation apps_common fmt glm nlohmann cli11 posix "
                   "vulkan glfw imgui stb",
     "python": "core shared terrain field interchange bake gpu render presentation apps_common sward sward_view "
@@ -106,7 +106,7 @@ ONLY_IN = {
 # Folders inside a library, or inside one of its folders. Each may include those before it, and what lies in the folder
 # that holds them all.
 INSIDE = {
-    "core": "math system files json",
+    "core": "math system process files json",
     "shared": "look sow layers",
     "field": "file measure seeds",
     "interchange": "engine usda gltf compact tiles",

@@ -16,8 +16,9 @@ SYSTEM_ASKED = re.compile(r"^\s*#\s*(?:if|elif|ifdef|ifndef)\b.*\b(?:_WIN32|_WIN
                           r"__linux__|__unix__|__APPLE__)\b")
 POSIX = re.compile(r"^\s*#\s*include\s*<(?:sys/\w+|unistd|fcntl|spawn|poll|dlfcn|pthread)\.h>")
 # What is compiled for both systems, besides core.
-COMMON = ("src/field/", "src/gpu/", "src/render/", "src/presentation/", "src/c/", "src/apps/common/",
-          "src/apps/sward_view/headless/", "src/apps/sward_view/scene/")
+COMMON = ("terrain/", "src/field/", "src/interchange/", "src/trace/", "src/bake/", "src/gpu/", "src/render/", "src/presentation/",
+          "src/c/", "src/apps/common/", "src/apps/sward/", "src/apps/sward_view/headless/", "src/apps/sward_view/scene/",
+          "src/apps/sward_view/fields/baking")
 # What Windows alone has.
 ALONE = {"src/core/system/native_windows.cpp", "src/core/system/narrow_text_windows.cpp"}
 

@@ -1,11 +1,17 @@
 // The laws of core's twins for Windows, those of tests/unit/core that need no call of Linux. Usage:
-// system_calls FOLDER. Prints each law that does not hold; the exit code is their number.
+// system_calls FOLDER. Prints each law that does not hold; the exit code is their number. It starts
+// itself as a child, with a word instead of the folder: say, wait.
 #include "core/error.h"
 #include "core/files/atomic_file.h"
 #include "core/files/mapped_file.h"
 #include "core/files/new_name.h"
 #include "core/files/piece_file.h"
+#include "core/process/arriving_bytes.h"
+#include "core/process/child_process.h"
+#include "core/process/process_id.h"
+#include "core/process/program_path.h"
 #include "core/system/arguments.h"
+#include "core/system/end_requests.h"
 #include "core/system/new_folder.h"
 #include "core/system/peak_memory.h"
 #include "core/system/shared_library.h"
@@ -15,10 +21,13 @@
 #include <fmt/core.h>
 
 #include <algorithm>
+#include <atomic>
 #include <cerrno>
+#include <chrono>
 #include <cstring>
 #include <fstream>
 #include <iterator>
+#include <thread>
 
 using namespace sward;
 namespace fs = std::filesystem;
@@ -202,12 +211,84 @@ void checkRest(const fs::path& folder)
     law(libraryFile("vulkan", 1) == "vulkan-1.dll", "a library has a name");
 }
 
+// Waits for the end. What it has said meanwhile goes into `said`.
+ChildProcess::End endOf(ChildProcess& child, std::string& said)
+{
+    for (;;) {
+        const std::optional<ChildProcess::End> end = child.end();
+        said += child.said();
+        if (end)
+            return *end;
+        std::this_thread::sleep_for(std::chrono::milliseconds(1));
+    }
+}
+
+void checkChildren(const fs::path& folder)
+{
+    const fs::path self = programPath();
+    law(isProgram(self) && !isProgram(folder), "a program knows its file");
+    law(programFile("a") == "a.exe", "a program has an ending");
+    const std::vector<std::string> words{"a \xc3\xa4", "\"", "\\", "", "b\\\\\" c\\", "\xe8\x8d\x89"};
+    std::vector<std::string> arguments{self.string(), "say"};
+    arguments.insert(arguments.end(), words.begin(), words.end());
+    ChildProcess child(arguments);
+    std::string said;
+    law(endOf(child, said).exitCode == 7, "a child has an exit code");
+    std::string wanted;
+    for (const std::string& word : words)
+        wanted += word + "|";
+    law(said == wanted + "error\n", "a child gets its arguments, and says what it says");
+
+    ChildProcess waiting({self.string(), "wait"});
+    said.clear();
+    while (said.empty() && !waiting.end())
+        said = waiting.said();
+    waiting.askToEnd();
+    law(endOf(waiting, said).exitCode == static_cast<int>(ErrorKind::interrupted),
+        "a child ends when it is asked to");
+    law(complaintOf([&] { ChildProcess missing({(folder / "missing.exe").string()}); }) ==
+            "of another kind",
+        "a missing program is refused");
+
+    std::ofstream(folder / "input") << "ab";
+    std::FILE* const input = std::fopen((folder / "input").string().c_str(), "rb");
+    std::string bytes(8, ' ');
+    constexpr std::chrono::milliseconds none{0};
+    law(readArriving(::_fileno(input), bytes, none) == 2u && bytes.starts_with("ab"), "a file arrives");
+    law(readArriving(::_fileno(input), bytes, none) == 0u, "and ends");
+    std::fclose(input);
+    law(processId() != 0, "a process has a number");
+}
+
+std::atomic<bool> isAsked = false;
+
+// What the program does as its own child.
+int actAsChild(const std::vector<std::string>& arguments)
+{
+    if (arguments.at(1) == "say") {
+        for (std::size_t i = 2; i < arguments.size(); ++i)
+            fmt::print("{}|", arguments[i]);
+        std::fflush(stdout);
+        fmt::print(stderr, "error\n");
+        return 7;
+    }
+    listenToEndRequests([]() noexcept { isAsked = true; });
+    fmt::print("begun\n");
+    std::fflush(stdout);
+    while (!isAsked)
+        std::this_thread::sleep_for(std::chrono::milliseconds(5));
+    return static_cast<int>(ErrorKind::interrupted);
+}
+
 } // namespace
 
 int main(int argc, char** argv)
 {
     prepareStandardStreams();
-    const fs::path top = programArguments(argc, argv).at(1);
+    const std::vector<std::string> arguments = programArguments(argc, argv);
+    if (arguments.at(1) == "say" || arguments.at(1) == "wait")
+        return actAsChild(arguments);
+    const fs::path top = arguments.at(1);
     auto folder = [&, i = 0]() mutable {
         fs::path made = top / std::to_string(i++);
         fs::create_directories(made);
@@ -219,5 +300,6 @@ int main(int argc, char** argv)
     checkReading(folder());
     checkNewNames(folder());
     checkRest(folder());
+    checkChildren(folder());
     return broken;
 }

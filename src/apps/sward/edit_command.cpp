@@ -13,11 +13,11 @@
 #include "core/error.h"
 #include "core/json/json_text.h"
 #include "core/log.h"
+#include "core/process/arriving_bytes.h"
 #include "field/read.h"
 
 #include <CLI/CLI.hpp>
 #include <nlohmann/json.hpp>
-#include <unistd.h>
 
 #include <filesystem>
 #include <optional>
@@ -117,7 +117,7 @@ public:
                               request.settings.maxBlades, load);
         tellReady(session, ground, request, diagnostics);
 
-        LineInput input(STDIN_FILENO, longestRequest);
+        LineInput input(standardInput, longestRequest);
         while (!requests.hasEnded()) {
             const std::optional<LineInput::Line> line = input.next();
             if (!line)

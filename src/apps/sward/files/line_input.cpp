@@ -1,19 +1,15 @@
 #include "apps/sward/files/line_input.h"
 
 #include "apps/common/interrupt.h"
-#include "core/error.h"
-
-#include <poll.h>
-#include <unistd.h>
+#include "core/process/arriving_bytes.h"
 
 #include <algorithm>
-#include <cerrno>
-#include <cstring>
+#include <chrono>
 
 namespace sward::apps {
 namespace {
 
-constexpr int maxWait = 100; // [ms] until signals are looked for
+constexpr std::chrono::milliseconds patience{100}; // until requests to end are looked for
 
 } // namespace
 
@@ -28,18 +24,12 @@ LineInput::LineInput(int descriptor, std::size_t longest)
 bool LineInput::fill()
 {
     while (!interruptRequested()) {
-        // A signal that comes just before a read would not end it.
-        pollfd waiting{descriptor_, POLLIN, 0};
-        if (::poll(&waiting, 1, maxWait) <= 0)
+        const std::optional<std::size_t> got = readArriving(descriptor_, buffer_, patience);
+        if (!got)
             continue;
-        const ssize_t got = ::read(descriptor_, buffer_.data(), buffer_.size());
-        if (got < 0 && errno == EINTR)
-            continue;
-        if (got < 0)
-            fail(ErrorKind::io, "standard input: cannot read: {}", std::strerror(errno));
         begin_ = 0;
-        end_ = static_cast<std::size_t>(got);
-        return got > 0;
+        end_ = *got;
+        return *got > 0;
     }
     return false;
 }

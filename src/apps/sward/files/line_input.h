@@ -19,7 +19,7 @@ public:
         bool isTooLong = false; ///< the text is empty
     };
 
-    /// Waits for the next line; none at the end of the input or after a signal. The last line need
+    /// Waits for the next line; none at the end of the input or after a request to end. The last line need
     /// not have an end. Throws Error{io} if it cannot be read.
     std::optional<Line> next();
 

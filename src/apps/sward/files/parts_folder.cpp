@@ -2,9 +2,9 @@
 
 #include "bake/tiles/tile_files.h"
 #include "core/error.h"
+#include "core/process/process_id.h"
 
 #include <fmt/format.h>
-#include <unistd.h>
 
 namespace sward::apps {
 namespace {
@@ -15,7 +15,7 @@ namespace fs = std::filesystem;
 fs::path beside(const fs::path& place, const char* role)
 {
     return place.parent_path() /
-           fmt::format(".{}-{}-{}", place.filename().string(), ::getpid(), role);
+           fmt::format(".{}-{}-{}", place.filename().string(), processId(), role);
 }
 
 void move(const fs::path& from, const fs::path& to)

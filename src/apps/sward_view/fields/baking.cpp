@@ -1,20 +1,13 @@
 #include "apps/sward_view/fields/baking.h"
 
 #include "apps/common/field_input.h"
-#include "apps/sward_view/files/child_process.h"
+#include "apps/sward_view/files/sward_program.h"
 #include "core/error.h"
 #include "core/log.h"
 
-#include <fcntl.h>
-#include <sys/wait.h>
-#include <unistd.h>
-
 #include <algorithm>
 #include <array>
-#include <cerrno>
-#include <csignal>
 #include <cstdlib>
-#include <cstring>
 
 namespace sward::view {
 namespace {
@@ -47,76 +40,34 @@ std::optional<BakeProgress> parseProgress(std::string_view line)
 
 Baking::Baking(std::vector<std::string> arguments)
 {
-    try {
-        std::vector<std::string> all{swardProgram("it bakes a mesh before it is shown").string(),
-                                     "bake"};
-        all.insert(all.end(), arguments.begin(), arguments.end());
-        for (const std::string& argument :
-             {std::string("-o"), field().string(), std::string("--report"), report().string(),
-              std::string("--progress"), std::string("always")})
-            all.push_back(argument);
-        std::array<int, 2> ends{};
-        if (::pipe2(ends.data(), O_CLOEXEC) != 0)
-            fail(ErrorKind::runtime, "cannot make a pipe: {}", std::strerror(errno));
-        said_ = ends[0];
-        ::fcntl(said_, F_SETFL, O_NONBLOCK);
-        try {
-            child_ = startChild(std::move(all), ends[1]);
-        } catch (...) {
-            ::close(ends[1]);
-            throw;
-        }
-        ::close(ends[1]);
-    } catch (...) {
-        if (said_ >= 0)
-            ::close(said_);
-        throw;
-    }
-}
-
-Baking::~Baking()
-{
-    if (child_ > 0 && !status_) {
-        ::kill(child_, SIGKILL);
-        int status = 0;
-        while (::waitpid(child_, &status, 0) < 0 && errno == EINTR)
-            continue;
-    }
-    if (said_ >= 0)
-        ::close(said_);
+    std::vector<std::string> all{swardProgram("it bakes a mesh before it is shown").string(), "bake"};
+    all.insert(all.end(), arguments.begin(), arguments.end());
+    for (const std::string& argument :
+         {std::string("-o"), field().string(), std::string("--report"), report().string(),
+          std::string("--progress"), std::string("always")})
+        all.push_back(argument);
+    child_ = std::make_unique<ChildProcess>(all);
 }
 
 bool Baking::poll()
 {
-    if (status_)
+    if (end_)
         return true;
-    std::array<char, 4096> buffer;
-    for (;;) {
-        const ssize_t count = ::read(said_, buffer.data(), buffer.size());
-        if (count <= 0)
-            break;
-        takeIn({buffer.data(), static_cast<std::size_t>(count)});
-    }
-    int status = 0;
-    if (::waitpid(child_, &status, WNOHANG) != child_)
+    // In this order: what it says at last is read after its end.
+    const std::optional<ChildProcess::End> end = child_->end();
+    takeIn(child_->said());
+    if (!end)
         return false;
-    // Read the output since the last poll.
-    for (;;) {
-        const ssize_t count = ::read(said_, buffer.data(), buffer.size());
-        if (count <= 0)
-            break;
-        takeIn({buffer.data(), static_cast<std::size_t>(count)});
-    }
     takeIn("\n");
-    status_ = status;
+    end_ = end;
     return true;
 }
 
 void Baking::cancel()
 {
-    if (child_ > 0 && !status_) {
+    if (!end_) {
         cancelled_ = true;
-        ::kill(child_, SIGTERM);
+        child_->askToEnd();
     }
 }
 
@@ -151,14 +102,12 @@ void Baking::takeLine(std::string line)
 
 bool Baking::succeeded() const
 {
-    return status_ && WIFEXITED(*status_) && WEXITSTATUS(*status_) == 0;
+    return end_ && end_->exitCode == 0;
 }
 
 int Baking::exitCode() const
 {
-    if (!status_ || !WIFEXITED(*status_))
-        return runtimeCode;
-    return WEXITSTATUS(*status_);
+    return end_ ? end_->exitCode.value_or(runtimeCode) : runtimeCode;
 }
 
 ErrorKind Baking::errorKind() const
@@ -177,9 +126,8 @@ std::string Baking::complaint() const
 {
     if (cancelled_)
         return "the bake was cancelled";
-    if (status_ && WIFSIGNALED(*status_))
-        return "the bake was ended by signal " + std::to_string(WTERMSIG(*status_)) + " (" +
-               ::strsignal(WTERMSIG(*status_)) + ")";
+    if (end_ && !end_->exitCode)
+        return "the bake was ended by " + end_->reason;
     for (auto line = lines_.rbegin(); line != lines_.rend(); ++line)
         if (line->starts_with("error: "))
             return line->substr(7);

@@ -2,10 +2,10 @@
 
 #include "apps/common/temporary_folder.h"
 #include "core/error.h"
-
-#include <sys/types.h>
+#include "core/process/child_process.h"
 
 #include <filesystem>
+#include <memory>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -35,7 +35,6 @@ public:
     explicit Baking(std::vector<std::string> arguments);
     Baking(const Baking&) = delete;
     Baking& operator=(const Baking&) = delete;
-    ~Baking();
 
     /// Reads its output without waiting. Returns whether it has ended.
     bool poll();
@@ -59,12 +58,11 @@ private:
     void takeLine(std::string line);
 
     apps::TemporaryFolder folder_{"sward-view"};
-    pid_t child_ = -1;
-    int said_ = -1; ///< its stderr
+    std::unique_ptr<ChildProcess> child_;
     std::string unfinished_;
     std::vector<std::string> lines_; ///< other than progress
     BakeProgress progress_;
-    std::optional<int> status_; ///< of waitpid()
+    std::optional<ChildProcess::End> end_;
     bool cancelled_ = false;
 };
 

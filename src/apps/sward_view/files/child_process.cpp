@@ -57,30 +57,6 @@ std::filesystem::path programNamed(const std::string& name)
     return {};
 }
 
-std::filesystem::path swardProgram(const char* purpose)
-{
-    std::error_code error;
-    const std::filesystem::path own = std::filesystem::read_symlink("/proc/self/exe", error);
-    const std::filesystem::path program = own.parent_path() / "sward";
-    if (error || ::access(program.c_str(), X_OK) != 0)
-        fail(ErrorKind::io, "{}: not found; {}", program.string(), purpose);
-    return program;
-}
-
-std::string plainLine(std::string_view line)
-{
-    std::string text;
-    for (std::size_t i = 0; i < line.size(); ++i) {
-        if (line[i] == '\033') {
-            while (i < line.size() && !(line[i] >= '@' && line[i] <= 'z' && line[i] != '['))
-                ++i;
-            continue;
-        }
-        text += line[i];
-    }
-    return text;
-}
-
 pid_t startChild(std::vector<std::string> arguments, int said, std::optional<int> input)
 {
     return spawn(std::move(arguments), said, said, input);

@@ -5,20 +5,12 @@
 #include <filesystem>
 #include <optional>
 #include <string>
-#include <string_view>
 #include <vector>
 
 namespace sward::view {
 
 /// Path of a program: the first in $PATH. Empty if it is not installed.
 std::filesystem::path programNamed(const std::string& name);
-
-/// Path of the program `sward` beside this one: in a build folder, in a bundle and when installed.
-/// Throws Error{io} if it is missing; `purpose` tells what it is needed for.
-std::filesystem::path swardProgram(const char* purpose);
-
-/// `line` without the sequences that erase and colour it on a terminal.
-std::string plainLine(std::string_view line);
 
 /// Starts the program `arguments[0]`, a path. Writes its stdout and stderr to the file `said`; it
 /// reads `input`, if given, as its stdin. Throws Error{runtime} naming the program if it cannot be

@@ -1,6 +1,7 @@
 #include "apps/sward_view/paint/edit_session.h"
 
 #include "apps/sward_view/files/child_process.h"
+#include "apps/sward_view/files/sward_program.h"
 #include "core/error.h"
 #include "core/json/json_text.h"
 #include "core/log.h"

@@ -1,5 +1,5 @@
 // The brush: strokes on the ground, and the session that bakes them.
-#include "apps/sward_view/files/child_process.h"
+#include "apps/sward_view/files/sward_program.h"
 #include "apps/sward_view/files/free_name.h"
 #include "apps/sward_view/files/state_file.h"
 #include "apps/sward_view/paint/ring.h"

@@ -1,0 +1,16 @@
+#pragma once
+
+#include <filesystem>
+
+namespace sward {
+
+/// The file of the program that runs; empty if the system does not tell.
+std::filesystem::path programPath();
+
+/// The file beside it, or anywhere, that holds the program `name`: with ".exe" on Windows.
+std::filesystem::path programFile(const std::filesystem::path& name);
+
+/// Whether `file` is a program that may be run.
+bool isProgram(const std::filesystem::path& file);
+
+} // namespace sward

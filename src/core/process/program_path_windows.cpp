@@ -1,0 +1,28 @@
+#include "core/process/program_path.h"
+#include "core/system/native_windows.h"
+
+#include <system_error>
+#include <vector>
+
+namespace sward {
+
+std::filesystem::path programPath()
+{
+    // The longest path that Windows knows, with its end.
+    std::vector<wchar_t> path(1 << 15);
+    const DWORD size = ::GetModuleFileNameW(nullptr, path.data(), static_cast<DWORD>(path.size()));
+    return std::filesystem::path(path.data(), path.data() + size);
+}
+
+std::filesystem::path programFile(const std::filesystem::path& name)
+{
+    return std::filesystem::path(name) += ".exe";
+}
+
+bool isProgram(const std::filesystem::path& file)
+{
+    std::error_code ignored;
+    return std::filesystem::is_regular_file(file, ignored);
+}
+
+} // namespace sward

@@ -1,0 +1,101 @@
+// Laws of core/process. tests/windows/system_calls.cpp has them for Windows.
+#include "core/error.h"
+#include "core/process/arriving_bytes.h"
+#include "core/process/child_process.h"
+#include "core/process/process_id.h"
+#include "core/process/program_path.h"
+
+#include <gtest/gtest.h>
+#include <unistd.h>
+
+#include <array>
+#include <chrono>
+#include <thread>
+
+namespace sward {
+namespace {
+
+// Waits for the end. What it has said meanwhile goes into `said`.
+ChildProcess::End endOf(ChildProcess& child, std::string& said)
+{
+    for (;;) {
+        const std::optional<ChildProcess::End> end = child.end();
+        said += child.said();
+        if (end)
+            return *end;
+        std::this_thread::sleep_for(std::chrono::milliseconds(1));
+    }
+}
+
+TEST(ChildProcess, TellsWhatItSaysAndHowItEnds)
+{
+    ChildProcess child({"/bin/sh", "-c", "printf '%s|' \"$@\"; echo error >&2; exit 7", "name",
+                        "a \xc3\xa4", "\"", "\\", ""});
+    std::string said;
+    const ChildProcess::End end = endOf(child, said);
+    EXPECT_EQ(end.exitCode, 7);
+    EXPECT_EQ(said, "a \xc3\xa4|\"|\\||error\n");
+    EXPECT_EQ(child.end()->exitCode, 7) << "a second time";
+}
+
+TEST(ChildProcess, EndsWhenAskedTo)
+{
+    ChildProcess child({"/bin/sh", "-c", "echo begun; exec sleep 1000"});
+    std::string said;
+    while (said.empty())
+        said = child.said();
+    EXPECT_FALSE(child.end().has_value());
+    child.askToEnd();
+    const ChildProcess::End end = endOf(child, said);
+    EXPECT_FALSE(end.exitCode.has_value());
+    EXPECT_EQ(end.reason, "signal 15 (Terminated)");
+}
+
+TEST(ChildProcess, EndsWithItsObject)
+{
+    std::string id;
+    {
+        ChildProcess child({"/bin/sh", "-c", "echo $$; exec sleep 1000"});
+        while (!id.ends_with('\n'))
+            id += child.said();
+    }
+    EXPECT_NE(::access(("/proc/" + id.substr(0, id.size() - 1)).c_str(), F_OK), 0);
+}
+
+TEST(ChildProcess, RefusesAProgramThatIsMissing)
+{
+    try {
+        ChildProcess child({"/no/such/program"});
+        FAIL();
+    } catch (const Error& error) {
+        EXPECT_EQ(error.kind(), ErrorKind::runtime);
+        EXPECT_STREQ(error.what(), "/no/such/program: cannot be run: No such file or directory");
+    }
+}
+
+TEST(ArrivingBytes, ComeAsTheyArrive)
+{
+    std::array<int, 2> ends{};
+    ASSERT_EQ(::pipe(ends.data()), 0);
+    std::array<char, 8> bytes{};
+    constexpr std::chrono::milliseconds none{0};
+    EXPECT_FALSE(readArriving(ends[0], bytes, none).has_value());
+    ASSERT_EQ(::write(ends[1], "ab", 2), 2);
+    EXPECT_EQ(readArriving(ends[0], bytes, none), 2u);
+    EXPECT_EQ(bytes[1], 'b');
+    ::close(ends[1]);
+    EXPECT_EQ(readArriving(ends[0], bytes, none), 0u) << "the end";
+    ::close(ends[0]);
+    EXPECT_THROW(readArriving(ends[0], bytes, none), Error);
+}
+
+TEST(ProgramPath, IsThatOfThisProgram)
+{
+    EXPECT_TRUE(isProgram(programPath()));
+    EXPECT_FALSE(isProgram(programPath().parent_path()));
+    EXPECT_EQ(programFile("a"), "a");
+    EXPECT_EQ(processId(), static_cast<std::uint64_t>(::getpid()));
+}
+
+} // namespace
+} // namespace sward
