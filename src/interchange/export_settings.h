@@ -16,7 +16,7 @@ struct ExportSettings {
     bool compact = false;         ///< .glb, .usda: fewer bytes, with stated errors
     bool withIds = false;         ///< of compact exports: ids of the blades too
     std::string meshoptExtension = "EXT_meshopt_compression"; ///< or KHR_meshopt_compression
-    std::optional<Geodetic> at;      ///< 3D Tiles: where the world's origin lies on the Earth
+    std::optional<Geodetic> at{};      ///< 3D Tiles: where the world's origin lies on the Earth
     std::string generator = "Sward"; ///< name and version of the program, stored in the file
 };
 

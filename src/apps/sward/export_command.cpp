@@ -190,7 +190,9 @@ private:
         const std::filesystem::path folder(output_);
         if (settings_.withGround || settings_.compact || settings_.forEngines)
             fail(ErrorKind::usage,
-                 "{}: a page takes none of --compact, --for-engines and --with-ground", output_);
+                 "{}: a page takes none of --compact, --for-engines and --with-ground; they "
+                 "need a .glb output",
+                 output_);
         checkPage(folder, settings_.overwrite);
         writeField([&](const field::FieldView& view, const interchange::ExportSettings& settings,
                        Progress& progress, const field::Field* grown) {

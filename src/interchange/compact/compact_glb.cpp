@@ -6,7 +6,7 @@
 #include "interchange/compact/morton_order.h"
 #include "interchange/gltf/glb_container.h"
 #include "interchange/gltf/gltf_species.h"
-#include "interchange/gltf_ground.h"
+#include "interchange/gltf/gltf_ground.h"
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>

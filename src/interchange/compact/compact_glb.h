@@ -5,7 +5,7 @@
 #include "field/field.h"
 #include "interchange/compact/compact_instances.h"
 #include "interchange/export_settings.h"
-#include "interchange/gltf_document.h"
+#include "interchange/gltf/gltf_document.h"
 
 #include <filesystem>
 #include <string>

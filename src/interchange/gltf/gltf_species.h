@@ -2,7 +2,7 @@
 
 #include "field/field.h"
 #include "interchange/blade_mesh.h"
-#include "interchange/gltf_document.h"
+#include "interchange/gltf/gltf_document.h"
 
 #include <vector>
 

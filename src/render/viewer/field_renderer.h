@@ -6,7 +6,6 @@
 #include "render/frame/camera.h"
 #include "render/frame/frame_settings.h"
 #include "render/frame/frame_stats.h"
-#include "render/layers/frame_layers.h"
 #include "render/viewer/field_renderer_settings.h"
 
 #include <glm/vec2.hpp>
@@ -26,6 +25,9 @@ class Timestamps;
 } // namespace sward::gpu
 
 namespace sward::render {
+
+using LayerMask = std::uint32_t; ///< layers/layer.h
+struct LayerWords;               ///< layers/frame_layers.h
 
 /// Draws one field into the caller's pictures. Starts no threads but for a field that is sown, owns
 /// no window, submits nothing while recording (but see copied()). The constructor uploads the field

@@ -136,7 +136,7 @@ class HelpTest(unittest.TestCase):
         rest = {"bake": ["plane", "--print-config"], "plan": ["none.glb", "-o", "/proc/none/p.json"],
                 "compare": ["none.sward", "none.sward"], "tile": ["none.json", "-o", "none"],
                 "grow": ["none.sward", "-o", "grown.sward"], "export": ["none.sward", "-o", "none.csv"],
-                "render": ["none.sward", "-o", "none.png"], "trace": ["none.sward", "-o", "none.png"],
+                "render": ["none.sward", "-o", "none.png"], "dataset": ["none.json", "-o", "none"], "trace": ["none.sward", "-o", "none.png"],
                 "lidar": ["none.sward", "-o", "none.npy", "--airborne", "5"]}.get(command, ["none.sward"])
         needed = {"plan": ["--tiles", "1"], "tile": ["--index", "0"]}.get(command, [])
         if option in needed:
@@ -154,7 +154,7 @@ class HelpTest(unittest.TestCase):
 class OptionsInDocs(unittest.TestCase):
     def test_pages_name_only_options_that_there_are(self):
         # Of cmake, blender and pkg-config; and what no --help lists.
-        known = {"--build", "--install", "--prefix", "--factory-startup", "--python", "--libs", "--man", "--completion",
+        known = {"--build", "--install", "--prefix", "--small", "--factory-startup", "--python", "--libs", "--man", "--completion",
                  "--option"}
         for page in pages(PROGRAMS).values():
             known |= {name for option in page.options for name in option.names}

@@ -3,6 +3,7 @@
 #include "field/field.h"
 #include "gpu/device/device.h"
 #include "gpu/memory/image.h"
+#include "render/layers/frame_layers.h"
 #include "render/viewer/field_renderer.h"
 
 #include <glm/vec2.hpp>

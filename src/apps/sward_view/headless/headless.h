@@ -12,6 +12,7 @@
 #include "gpu/memory/image.h"
 #include "gpu/recording/frame_ring.h"
 #include "gpu/recording/timestamps.h"
+#include "render/layers/frame_layers.h"
 #include "render/viewer/field_renderer.h"
 
 #include <glm/vec2.hpp>

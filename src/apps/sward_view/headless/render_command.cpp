@@ -31,7 +31,7 @@ constexpr const char* footer =
     "Example:\n"
     "  sward-view render meadow.sward -o meadow.png --camera eye --size 1920x1080\n"
     "  sward-view render meadow.sward -o wind_%04d.png --frames 0:119\n"
-    "  sward-view render meadow.sward -o meadow.exr --layers depth,normal,id --samples 1\n"
+    "  sward-view render meadow.sward -o m.exr --layers depth,normal,id --samples 1\n"
     "  sward-view render west.sward east.sward -o both.png";
 
 struct RenderOptions {

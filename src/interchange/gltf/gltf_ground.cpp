@@ -1,4 +1,4 @@
-#include "interchange/gltf_ground.h"
+#include "interchange/gltf/gltf_ground.h"
 
 #include "core/error.h"
 #include "shaders/shared/cover.h"

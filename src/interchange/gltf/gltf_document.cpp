@@ -1,4 +1,4 @@
-#include "interchange/gltf_document.h"
+#include "interchange/gltf/gltf_document.h"
 
 #include "core/expect.h"
 #include "core/json/json_text.h"
