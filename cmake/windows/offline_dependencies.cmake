@@ -53,7 +53,7 @@ sward_add_source_library(embree embree
   INCLUDE include
   SOURCES kernels/common/*.cpp kernels/geometry/*.cpp kernels/builders/*.cpp kernels/bvh/*.cpp
           common/sys/*.cpp common/math/*.cpp common/simd/*.cpp common/lexers/*.cpp common/tasking/taskschedulertbb.cpp
-  WITHOUT subdiv hybrid _stream bvh8 primitive8 grid curve line_segments points hair collider
+  WITHOUT subdiv hybrid _stream bvh8 primitive8 grid curve line_segments points hair
   USES sward_tbb)
 file(STRINGS ${embree}/CMakeLists.txt lines REGEX "SET\\(EMBREE_VERSION_(MAJOR|MINOR|PATCH) ")
 foreach(line IN LISTS lines)
@@ -105,10 +105,19 @@ file(CREATE_LINK /usr/include/draco/draco_features.h ${included}/draco/draco_fea
 sward_add_source_library(draco draco
   INCLUDE src
   SOURCES src/draco/attributes/*.cc src/draco/compression/*.cc src/draco/compression/*/*.cc src/draco/compression/*/*/*.cc
-          src/draco/core/*.cc src/draco/mesh/*.cc src/draco/metadata/*.cc src/draco/point_cloud/*.cc
-  WITHOUT _test encod expert draco_compression_options property_table structural mesh/mesh_[b-z] mesh/mesh_are
-          triangle_soup float_points cycle_timer
+          src/draco/core/*.cc src/draco/material/*.cc src/draco/mesh/*.cc src/draco/metadata/*.cc src/draco/point_cloud/*.cc
+          src/draco/texture/*.cc
+  WITHOUT _test encod expert "draco/mesh/mesh_(are|cleanup|connected|misc|splitter|stripifier|utils)" triangle_soup cycle_timer
+          texture_utils
   USES sward_windows_headers)
 set_target_properties(sward_draco PROPERTIES UNITY_BUILD ON UNITY_BUILD_BATCH_SIZE 12)
 add_library(draco::draco ALIAS sward_draco)
 
+# Debian's libtinygltf, of its header.
+file(CONFIGURE OUTPUT ${CMAKE_BINARY_DIR}/tiny_gltf.cpp
+  CONTENT "#define TINYGLTF_IMPLEMENTATION\n#define TINYGLTF_NO_INCLUDE_STB_IMAGE\n#define TINYGLTF_NO_INCLUDE_STB_IMAGE_WRITE\n\
+#include <stb/stb_image.h>\n#include <stb/stb_image_write.h>\n#include <tiny_gltf.h>\n")
+add_library(sward_tinygltf STATIC ${CMAKE_BINARY_DIR}/tiny_gltf.cpp)
+target_compile_options(sward_tinygltf PRIVATE -w)
+target_link_libraries(sward_tinygltf PUBLIC sward_stb)
+add_library(TinyGLTF::TinyGLTF ALIAS sward_tinygltf)

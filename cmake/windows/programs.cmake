@@ -1,5 +1,5 @@
 # The programs for 64-bit Windows: sward.dll (the C interface, for C and C++ of any compiler) with its import libraries,
-# and sward-view.exe without its window. `scripts/build windows` builds them on Linux; docs/windows.md.
+# sward-view.exe without its window, and sward.exe. `scripts/build windows` builds them on Linux; docs/windows.md.
 
 enable_language(C)
 include(compile_options)
@@ -14,7 +14,12 @@ add_link_options(-static)
 
 add_subdirectory(src/core)
 add_subdirectory(shaders)
+add_subdirectory(assets)
+add_subdirectory(terrain)
 add_subdirectory(src/field)
+add_subdirectory(src/interchange)
+add_subdirectory(src/trace)
+add_subdirectory(src/bake)
 add_subdirectory(src/gpu)
 add_subdirectory(src/render)
 add_subdirectory(src/presentation)
@@ -35,6 +40,7 @@ add_custom_command(TARGET sward_dll POST_BUILD
   VERBATIM)
 
 add_subdirectory(src/apps/common)
+add_subdirectory(src/apps/sward)
 add_subdirectory(src/apps/sward_view)
 if(SWARD_BUILD_TESTS)
   add_subdirectory(tests/windows)

@@ -7,6 +7,7 @@ import shutil
 import subprocess
 import sys
 import tempfile
+import unittest
 from pathlib import Path
 
 ROOT = Path(__file__).resolve().parents[2]
@@ -68,10 +69,21 @@ def baked(name, *arguments):
     return name
 
 
+class Case(unittest.TestCase):
+    def folder(self):
+        folder = tempfile.TemporaryDirectory(prefix="sward-windows-")
+        self.addCleanup(folder.cleanup)
+        return Path(folder.name)
+
+    def check(self, done):
+        self.assertEqual(done.returncode, 0, done.stderr.decode(errors="replace") + done.stdout.decode(errors="replace"))
+        return done
+
+
 def missing():
     """What the tests need and this machine lacks."""
     needed = {"Wine (wine64)": WINE, "lld-link (lld)": shutil.which("lld-link"), "Xvfb (xvfb)": shutil.which("Xvfb"), "lavapipe (mesa-vulkan-drivers)": DRIVER,
-              "build/windows (scripts/build windows)": (WINDOWS / "sward-view.exe").is_file(),
+              "build/windows (scripts/build windows)": (WINDOWS / "sward.exe").is_file(),
               "build/release (scripts/build release)": (LINUX / "sward-view").is_file()}
     return [what for what, is_there in needed.items() if not is_there]
 

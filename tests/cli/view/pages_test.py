@@ -154,7 +154,7 @@ class HelpTest(unittest.TestCase):
 class OptionsInDocs(unittest.TestCase):
     def test_pages_name_only_options_that_there_are(self):
         # Of cmake, blender and pkg-config; and what no --help lists.
-        known = {"--build", "--install", "--prefix", "--small", "--factory-startup", "--python", "--libs", "--man", "--completion",
+        known = {"--build", "--install", "--prefix", "--small", "--release", "--factory-startup", "--python", "--libs", "--man", "--completion",
                  "--option"}
         for page in pages(PROGRAMS).values():
             known |= {name for option in page.options for name in option.names}

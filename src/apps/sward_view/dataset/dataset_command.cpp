@@ -29,8 +29,8 @@ constexpr std::uint32_t maxShares = 100'000;
 constexpr std::uint32_t maxThreads = 1024;
 
 constexpr const char* datasetFooter =
-    "Each frame depends on the scene and its number alone: any number of processes draw a set,\n"
-    "each its share, and a run that was stopped goes on where it was.\n"
+    "Each frame depends on the scene and its number alone: any number of processes\n"
+    "draw a set, each its share, and a run that was stopped goes on where it was.\n"
     "Example:\n"
     "  sward-view dataset set.json -o set\n"
     "  sward-view dataset set.json -o set --share 2/4\n"
