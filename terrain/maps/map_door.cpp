@@ -20,7 +20,7 @@ const MapReader* openReader()
                                                       own / "../lib/sward" / mapLibrary,
                                                       own / "../../lib" / mapLibrary, mapLibrary};
     for (const std::filesystem::path& place : places)
-        if (void* const door = functionOf(place.c_str(), mapReaderName))
+        if (void* const door = functionOf(place.string().c_str(), mapReaderName))
             return reinterpret_cast<Door>(door)();
     return nullptr;
 }
