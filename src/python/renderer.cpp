@@ -1,5 +1,6 @@
 #include "apps/sward_view/graphics.h"
 #include "apps/sward_view/headless/picture_target.h"
+#include "apps/sward_view/picture/layer_list.h"
 #include "apps/sward_view/scene/camera_file.h"
 #include "apps/sward_view/scene/camera_path.h"
 #include "apps/sward_view/scene/frame_options.h"
@@ -14,6 +15,7 @@
 #include "python/option_table.h"
 #include "python/python_module.h"
 #include "render/frame/frame_time.h"
+#include "render/layers/frame_layers.h"
 
 #include <CLI/CLI.hpp>
 #include <glm/gtc/packing.hpp>
@@ -36,23 +38,31 @@ constexpr std::uint32_t onlySlot = 0; ///< one frame at a time
 
 /// One picture to draw.
 struct Shot {
-    std::string camera;   ///< a preset's name, a file, or JSON
-    bool isJson = false;  ///< of the camera
-    double time = 0.0;    ///< [s]
-    glm::uvec2 size{0};   ///< [pixels]
-    std::string settings; ///< settings of this picture alone, JSON; or empty
+    std::string camera;           ///< a preset's name, a file, or JSON
+    bool isJson = false;          ///< of the camera
+    double time = 0.0;            ///< [s]
+    glm::uvec2 size{0};           ///< [pixels]
+    std::string settings;         ///< settings of this picture alone, JSON; or empty
+    render::LayerMask layers = 0; ///< that are wanted besides
 };
+
+bool needsMotion(render::LayerMask layers)
+{
+    return (layers & render::flowLayers) != 0;
+}
 
 /// What draws pictures of one kind: on film, or linear. It keeps the state of its blades.
 class Drawer {
 public:
     Drawer(const gpu::Device& device, const field::OwnedField& field,
-           const view::FrameOptions& options, bool isLinear)
+           const view::FrameOptions& options, bool isLinear, bool keepsMotion)
         : device_(device)
         , options_(options)
         , isLinear_(isLinear)
         , target_(targetOf(options.size))
-        , renderer_(device.context(), field, view::rendererFor(options, target_.format(), isLinear))
+        , renderer_(device.context(), field,
+                    settingsOf(view::rendererFor(options, target_.format(), isLinear), keepsMotion))
+        , keepsMotion_(keepsMotion)
         , ring_(device.context(), 1)
     {
     }
@@ -83,10 +93,25 @@ public:
         gpu::transition(frame.commands, target_, gpu::ImageUse::undefined,
                         gpu::ImageUse::colorTarget);
         renderer_.record(frame.commands,
-                         {target_.get(), target_.view(), shot.size, target_.storedView()}, camera,
-                         settings, shot.time, onlySlot);
+                         {.image = target_.get(),
+                          .view = target_.view(),
+                          .size = shot.size,
+                          .stored = target_.storedView(),
+                          .layers = shot.layers,
+                          .cameraBefore = before_ ? &*before_ : nullptr},
+                         camera, settings, shot.time, onlySlot);
         ring_.submit(frame);
         ring_.finish();
+        before_ = camera;
+    }
+
+    /// Whether it can draw layers of flow.
+    bool keepsMotion() const { return keepsMotion_; }
+
+    /// The layers of the last picture.
+    render::FrameLayers layers(const field::FieldView& field) const
+    {
+        return render::layersOf(renderer_.layerWords(field, onlySlot), field);
     }
 
     /// The pixels of the last picture: four numbers each, of 8 or, if linear, of 16 bits.
@@ -96,6 +121,13 @@ public:
     }
 
 private:
+    static render::FieldRendererSettings settingsOf(render::FieldRendererSettings settings,
+                                                    bool keepsMotion)
+    {
+        settings.keepsMotion = keepsMotion;
+        return settings;
+    }
+
     gpu::Image targetOf(glm::uvec2 size) const
     {
         return {device_.context(),
@@ -107,8 +139,41 @@ private:
     bool isLinear_;
     gpu::Image target_;
     render::FieldRenderer renderer_;
+    bool keepsMotion_;
     gpu::FrameRing ring_;
+    std::optional<render::Camera> before_; ///< of the last picture
 };
+
+const char* dtypeOf(render::LayerNumber number)
+{
+    switch (number) {
+    case render::LayerNumber::half:
+        return "float16";
+    case render::LayerNumber::real:
+        return "float32";
+    case render::LayerNumber::byte:
+        return "uint8";
+    case render::LayerNumber::whole:
+        return "uint32";
+    case render::LayerNumber::wide:
+        break;
+    }
+    return "uint64";
+}
+
+// A layer as an array: (rows, columns) or (rows, columns, channels).
+py::array arrayOf(const render::FrameLayers& layers, render::Layer layer)
+{
+    const render::LayerForm& form = render::formOf(layer);
+    std::vector<py::ssize_t> shape{static_cast<py::ssize_t>(layers.size.y),
+                                   static_cast<py::ssize_t>(layers.size.x)};
+    if (form.channels > 1)
+        shape.push_back(static_cast<py::ssize_t>(form.channels));
+    py::array array(py::dtype(dtypeOf(form.number)), shape);
+    const std::vector<std::byte>& bytes = layers.arrays[static_cast<std::size_t>(layer)];
+    std::memcpy(array.mutable_data(), bytes.data(), bytes.size());
+    return array;
+}
 
 // Red, green and blue of pixels of four numbers.
 void takeFilm(const std::vector<std::byte>& pixels, std::uint8_t* out)
@@ -148,13 +213,14 @@ public:
             py::array_t<float> picture({rows, columns, py::ssize_t(3)});
             float* const out = picture.mutable_data();
             const auto take = [out](const auto& pixels) { takeRadiance(pixels, out); };
-            drawUnlocked(shot, true, take);
-            return picture;
+            return withLayers(picture, drawUnlocked(shot, true, take), shot.layers);
         }
         py::array_t<std::uint8_t> picture({rows, columns, py::ssize_t(3)});
         std::uint8_t* const out = picture.mutable_data();
-        drawUnlocked(shot, false, [out](const auto& pixels) { takeFilm(pixels, out); });
-        return picture;
+        return withLayers(
+            picture,
+            drawUnlocked(shot, false, [out](const auto& pixels) { takeFilm(pixels, out); }),
+            shot.layers);
     }
 
     void advance(double time, bool isLinear)
@@ -162,7 +228,7 @@ public:
         render::requireValidTime(time);
         const py::gil_scoped_release released;
         const std::lock_guard lock(mutex_);
-        drawer(isLinear).advance(settingsOf({}, isLinear), time);
+        drawer(isLinear, false).advance(settingsOf({}, isLinear), time);
     }
 
     std::string deviceName() const { return device_.context().name; }
@@ -181,11 +247,29 @@ private:
         return options;
     }
 
-    Drawer& drawer(bool isLinear)
+    // The picture alone, or a dict of it and the layers.
+    static py::object withLayers(const py::array& picture, const render::FrameLayers& layers,
+                                 render::LayerMask wanted)
+    {
+        if (wanted == 0)
+            return picture;
+        py::dict all;
+        all["color"] = picture;
+        for (std::uint32_t i = 0; i < render::layerCount; ++i) {
+            const auto layer = static_cast<render::Layer>(i);
+            if ((wanted & render::bitOf(layer)) != 0)
+                all[py::str(std::string(render::formOf(layer).name))] = arrayOf(layers, layer);
+        }
+        return all;
+    }
+
+    // Motion is kept from the first picture on that wants flow; blades then settle anew.
+    Drawer& drawer(bool isLinear, bool needsMotion)
     {
         std::unique_ptr<Drawer>& one = isLinear ? linear_ : film_;
-        if (one == nullptr)
-            one = std::make_unique<Drawer>(device_, field_->owned(), options_, isLinear);
+        if (one == nullptr || (needsMotion && !one->keepsMotion()))
+            one =
+                std::make_unique<Drawer>(device_, field_->owned(), options_, isLinear, needsMotion);
         return *one;
     }
 
@@ -213,16 +297,17 @@ private:
 
     // Without the interpreter's lock; `take` gets the pixels.
     template <typename Take>
-    void drawUnlocked(const Shot& shot, bool isLinear, const Take& take)
+    render::FrameLayers drawUnlocked(const Shot& shot, bool isLinear, const Take& take)
     {
         render::requireValidTime(shot.time);
         const py::gil_scoped_release released;
         const std::lock_guard lock(mutex_);
         const render::FrameSettings settings = settingsOf(shot.settings, isLinear);
-        Drawer& one = drawer(isLinear);
+        Drawer& one = drawer(isLinear, needsMotion(shot.layers));
         one.draw(settings, cameraOf(shot, settings), shot);
         take(one.pixels());
         view::failOnValidationMessages(instance_);
+        return shot.layers != 0 ? one.layers(field_->view()) : render::FrameLayers();
     }
 
     std::shared_ptr<Field> field_;
@@ -243,13 +328,22 @@ void addRenderer(py::module_& module)
         .def(
             py::init<std::shared_ptr<Field>, const std::vector<std::string>&, const std::string&>(),
             py::call_guard<py::gil_scoped_release>())
-        .def(
-            "render",
-            [](Renderer& renderer, const std::string& camera, bool isJson, double time,
-               std::uint32_t width, std::uint32_t height, const std::string& settings,
-               bool isLinear) {
-                return renderer.render({camera, isJson, time, {width, height}, settings}, isLinear);
-            })
+        .def("render",
+             [](Renderer& renderer, const std::string& camera, bool isJson, double time,
+                std::uint32_t width, std::uint32_t height, const std::string& settings,
+                bool isLinear, const std::string& layers) {
+                 const render::LayerMask wanted =
+                     layers.empty() ? 0 : view::parseLayers("layers", layers);
+                 return renderer.render({camera, isJson, time, {width, height}, settings, wanted},
+                                        isLinear);
+             })
+        .def_static("layers",
+                    [] {
+                        std::vector<std::string> names;
+                        for (std::uint32_t i = 0; i < render::layerCount; ++i)
+                            names.emplace_back(render::formOf(static_cast<render::Layer>(i)).name);
+                        return names;
+                    })
         .def("advance", &Renderer::advance)
         .def_property_readonly("device", &Renderer::deviceName);
 }

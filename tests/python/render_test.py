@@ -56,6 +56,45 @@ class Pictures(PythonCase):
         film = self.renderer.render("fit", 0.0, SIZE).mean(axis=2).ravel()
         self.assertGreater(numpy.corrcoef(numpy.sqrt(picture.mean(axis=2).ravel()), film)[0, 1], 0.9)
 
+    def test_layers_say_what_pixels_show(self):
+        large = (160, 90)
+        renderer = sward.Renderer(self.field, wind_strength=0, samples=1)
+        picture = renderer.render(CAMERA, 0.0, large)
+        drawn = renderer.render(CAMERA, 0.0, large, layers=["depth", "normal", "id", "class", "species"])
+        numpy.testing.assert_array_equal(drawn.pop("color"), picture)
+        self.assertEqual({name: (array.shape, array.dtype.name) for name, array in drawn.items()},
+                         {"depth": ((90, 160), "float32"), "normal": ((90, 160, 3), "float16"), "id": ((90, 160), "uint64"),
+                          "class": ((90, 160), "uint8"), "species": ((90, 160), "uint8")})
+        isBlade = drawn["class"] == 2
+        self.assertGreater(isBlade.sum(), 20)
+        numpy.testing.assert_array_equal(drawn["id"] != 0, isBlade)
+        numpy.testing.assert_array_equal(numpy.isfinite(drawn["depth"]), drawn["class"] != 0)
+        blades = self.field.blades()
+        row_of = {int(name): row for row, name in enumerate(blades["id"])}
+        rows = [row_of[int(name) & (2**53 - 1)] for name in drawn["id"][isBlade]]
+        numpy.testing.assert_array_equal(drawn["species"][isBlade], blades["species"][rows] + 1)
+        far = numpy.linalg.norm(blades["root"][rows] - CAMERA["eye"], axis=1)
+        self.assertLess(numpy.abs(far - drawn["depth"][isBlade]).max(), 2 * blades["height"].max())
+        lengths = numpy.linalg.norm(drawn["normal"].astype("f4"), axis=2)[drawn["class"] != 0]
+        numpy.testing.assert_allclose(lengths, 1.0, atol=0.01)
+
+    def test_flow_is_that_from_the_picture_before(self):
+        renderer = sward.Renderer(self.field, wind_strength=0, samples=1)
+        moved = {**CAMERA, "eye": [0.2, 3, 12], "target": [0.2, 0, 0]}
+        renderer.render(CAMERA, 0.0, SIZE, layers=["flow-backward"])
+        still = renderer.render(CAMERA, 0.02, SIZE, layers=["flow-backward", "class"])
+        self.assertLess(numpy.nanmax(numpy.abs(still["flow-backward"][still["class"] != 0])), 0.01)
+        panned = renderer.render(moved, 0.04, SIZE, layers=["flow-backward", "planar-depth", "class"])
+        ground = panned["class"] == 1
+        # A camera that goes to the right: what it sees stood farther to the right before, by f·x / depth.
+        focal = 0.5 * SIZE[1] / numpy.tan(numpy.radians(25))
+        numpy.testing.assert_allclose(panned["flow-backward"][ground][:, 0], 0.2 * focal / panned["planar-depth"][ground], atol=0.02)
+        numpy.testing.assert_allclose(panned["flow-backward"][ground][:, 1], 0.0, atol=0.02)
+        for wrong, kind in ((["flow-forward"], ValueError), (["colour"], ValueError), ("depth", TypeError), (7, TypeError)):
+            with self.assertRaises(kind):
+                renderer.render(CAMERA, size=SIZE, layers=wrong)
+        self.assertEqual(len(renderer.render(CAMERA, size=SIZE, layers="all")), 13)
+
     def test_settings_of_one_picture_change_no_other(self):
         still = self.renderer.render("top", 0.0, SIZE)
         for settings in ({"look": {"sun": {"elevation": 8}}},

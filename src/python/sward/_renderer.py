@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import json
 import os
-from typing import Any, Mapping, Tuple, Union
+from typing import Any, Dict, Mapping, Sequence, Tuple, Union
 
 import numpy
 import numpy.typing
@@ -26,6 +26,7 @@ LEFT_OUT = {
 RENDER_OPTIONS = Options("Renderer", _native.render_options(), LEFT_OUT)
 
 LARGEST_SIDE = 16384  # [pixels]
+FORWARD = "flow-forward"
 
 
 class Renderer:
@@ -51,7 +52,7 @@ class Renderer:
 
     def render(self, camera: Any = "fit", time: float = 0.0, size: Tuple[int, int] = (1280, 720), *,
                dtype: numpy.typing.DTypeLike = "uint8", settings: Union[Mapping[str, Any], None] = None,
-               ) -> numpy.ndarray:
+               layers: Union[str, Sequence[str], None] = None) -> Union[numpy.ndarray, Dict[str, numpy.ndarray]]:
         """One picture: (height, width, 3), rows from the top, red, green, blue.
 
         camera: "fit", "eye", "top" or "edge"; a camera file; or a dict of eye, target and perhaps up [m, world] and
@@ -59,11 +60,16 @@ class Renderer:
         and settle in the wind of this time at the first picture, if time falls, or after a pause of over two hours.
         size: (width, height) [pixels]. dtype: uint8 for sRGB on film, as a .png of the viewer; float32 for linear
         radiance before exposure and film curve, as its .exr. settings: of this picture alone, over the renderer's.
+
+        layers: names as of `sward-view render --layers` (docs/layers.md), such as ["depth", "id", "flow-backward"], or
+        "all". Then the result is a dict: the picture as "color", and an array (height, width) or (height, width, 3 or
+        2) for each. An id is that of Field.blades() plus 2**53. Flow is that from the picture before; "flow-forward" is
+        that of the next picture and is not told. Blades settle anew at the first picture with flow.
         """
         text, is_json = camera_text(camera)
         width, height = size_of(size)
         return self._native.render(text, is_json, float(time), width, height, settings_text(settings),
-                                   is_linear(dtype))
+                                   is_linear(dtype), layers_text(layers))
 
     def advance(self, time: float, *, dtype: numpy.typing.DTypeLike = "uint8") -> None:
         """Moves the blades to a time [s] and draws nothing. Pictures of both kinds keep blades of their own."""
@@ -87,6 +93,28 @@ def size_of(size: Any) -> tuple:
     if not (1 <= width <= LARGEST_SIDE and 1 <= height <= LARGEST_SIDE):
         raise ValueError(f"size is {width}x{height}; each side is 1 to {LARGEST_SIDE} pixels")
     return width, height
+
+
+def layers_text(layers: Any) -> str:
+    """Names with commas between them."""
+    names = layer_names(layers)
+    if FORWARD in names:
+        raise ValueError(f'layers: "{FORWARD}" is known with the next picture alone: take "flow-backward" of that')
+    return ",".join(names)
+
+
+def layer_names(layers: Any) -> list:
+    if layers is None:
+        return []
+    known = _native.Renderer.layers()
+    if layers == "all":
+        return [name for name in known if name != FORWARD]
+    if isinstance(layers, str) or not isinstance(layers, Sequence):
+        raise TypeError(f'layers is "all" or a list of names, not {layers!r}')
+    for name in layers:
+        if name not in known:
+            raise ValueError(f"layers: {name!r} is none of {', '.join(known)}")
+    return list(layers)
 
 
 def settings_text(settings: Any) -> str:
