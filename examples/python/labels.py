@@ -1,5 +1,5 @@
 #!/usr/bin/python3
-"""A meadow on heights from numpy, with land cover as its mask: pictures, and a plot of leaf area by height.
+"""A meadow on heights from numpy, with land cover as its mask: labelled pictures, and a plot of leaf area by height.
 
     examples/python/labels.py OUT [--small]
 
@@ -7,6 +7,8 @@ Needs the module sward (docs/python.md). Writes into the folder OUT:
 
     meadow.sward     the field
     frame_00.png …   pictures of a walk through it
+    frame_00.npz …   what their pixels show: depth, id, species, flow-backward (docs/layers.md), and cover: 1 + class of
+                     land cover on which the blade grows, 0 without a blade
     leaf_area.png    leaf area by height above the ground, by species: by matplotlib, or plain bars without it
     labels.json      how much of what grows where: blades and leaf area index of each class of land cover
 """
@@ -134,10 +136,17 @@ def main():
                         "leaf_area_index": round(float(blades["area"][own].sum() / ground), 3)}
     (out / "labels.json").write_text(json.dumps(labels, indent=2) + "\n", encoding="utf-8")
 
-    # The device stays open from picture to picture, and the blades move on.
+    # The device stays open from picture to picture, and the blades move on. Pixels know their blade, and so all that is
+    # known of it.
     renderer = sward.Renderer(field, wind_strength=2)
+    order = numpy.argsort(blades["id"])
     for number, camera in enumerate(walk(frames)):
-        write_png(out / f"frame_{number:02}.png", renderer.render(camera, time=number / 10, size=size))
+        drawn = renderer.render(camera, time=number / 10, size=size, layers=["depth", "id", "species", "flow-backward"])
+        write_png(out / f"frame_{number:02}.png", drawn.pop("color"))
+        seen = numpy.searchsorted(blades["id"], drawn["id"] & (2**53 - 1), sorter=order)
+        cover_seen = 1 + classes[order[numpy.minimum(seen, len(order) - 1)]]
+        drawn["cover"] = numpy.where(drawn["id"] != 0, cover_seen, 0).astype(numpy.uint8)
+        numpy.savez_compressed(out / f"frame_{number:02}.npz", **drawn)
 
     edges, area = leaf_area_by_height(field)
     plot(out / "leaf_area.png", field.species, edges, area, SIDE * SIDE)
