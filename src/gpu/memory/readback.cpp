@@ -45,17 +45,22 @@ std::vector<std::byte> readBuffer(const DeviceContext& context, const Buffer& so
     return result;
 }
 
-std::vector<std::byte> readImage(const DeviceContext& context, const Image& source, ImageUse use,
-                                 std::uint32_t level)
+namespace {
+
+VkDeviceSize bytesOf(const Image& source, std::uint32_t level)
+{
+    const VkExtent2D extent = source.extent(level);
+    return VkDeviceSize(extent.width) * extent.height * bytesPerPixel(source.format());
+}
+
+void copyToStaging(const DeviceContext& context, const Image& source, ImageUse use,
+                   std::uint32_t level, const Buffer& staging)
 {
     expect(source.samples() == 1, "an image of several samples is resolved before it is read");
     expect(use != ImageUse::undefined, "the image has contents");
     expect(level < source.mips(), "the mip level exists");
 
     const VkExtent2D extent = source.extent(level);
-    const VkDeviceSize bytes =
-        VkDeviceSize(extent.width) * extent.height * bytesPerPixel(source.format());
-    const Buffer staging = createStaging(context, bytes);
     submitAndWait(context, [&](VkCommandBuffer commands) {
         memoryBarrier(commands, anyAccess, anyAccess);
         transitionMip(commands, source, level, use, ImageUse::transferSource);
@@ -68,7 +73,26 @@ std::vector<std::byte> readImage(const DeviceContext& context, const Image& sour
         transitionMip(commands, source, level, ImageUse::transferSource, use);
         anythingToHost(commands);
     });
+}
+
+} // namespace
+
+std::vector<std::byte> readImage(const DeviceContext& context, const Image& source, ImageUse use,
+                                 std::uint32_t level)
+{
+    const Buffer staging = createStaging(context, bytesOf(source, level));
+    copyToStaging(context, source, use, level, staging);
     return {staging.mapped().begin(), staging.mapped().end()};
+}
+
+std::span<const std::byte> readImage(const DeviceContext& context, const Image& source,
+                                     ImageUse use, Buffer& staging)
+{
+    const VkDeviceSize bytes = bytesOf(source, 0);
+    if (staging.bytes() < bytes)
+        staging = createStaging(context, bytes);
+    copyToStaging(context, source, use, 0, staging);
+    return staging.mapped().first(bytes);
 }
 
 } // namespace sward::gpu

@@ -11,6 +11,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <cstring>
+#include <span>
 #include <type_traits>
 #include <vector>
 
@@ -41,5 +42,10 @@ std::vector<T> readBufferAs(const DeviceContext& context, const Buffer& source)
 /// use, which is restored. The image has one sample and VK_IMAGE_USAGE_TRANSFER_SRC_BIT.
 std::vector<std::byte> readImage(const DeviceContext& context, const Image& source, ImageUse use,
                                  std::uint32_t level = 0);
+
+/// The same of the first level through a buffer that is kept for the next picture, and made larger
+/// if need be. Returns the buffer's bytes, valid until it is used again.
+std::span<const std::byte> readImage(const DeviceContext& context, const Image& source,
+                                     ImageUse use, Buffer& staging);
 
 } // namespace sward::gpu

@@ -8,6 +8,7 @@
 #include "core/error.h"
 #include "core/log.h"
 #include "core/stopwatch.h"
+#include "core/system/freed_memory.h"
 #include "field/read.h"
 
 #include <CLI/CLI.hpp>
@@ -178,6 +179,8 @@ framesLeft(const DatasetScene& scene, const DatasetOptions& options, const Datas
 int makeDataset(const DatasetOptions& options)
 {
     options.log.apply();
+    // Every frame makes the same arrays of many megabytes.
+    keepFreedMemory();
     if (options.nullOutput && !options.folder.empty())
         fail(ErrorKind::usage, "--null-output: writes nothing, so not with -o");
     if (!options.nullOutput && options.folder.empty())

@@ -217,19 +217,18 @@ void Headless::record(const Shot& shot, glm::vec2 jitter, render::LayerMask laye
 
 Picture Headless::picture()
 {
-    const std::vector<std::byte> bytes =
-        gpu::readImage(device_.context(), target_, gpu::ImageUse::colorTarget);
+    const std::span<const std::byte> bytes =
+        gpu::readImage(device_.context(), target_, gpu::ImageUse::colorTarget, staging_);
     const auto* first = reinterpret_cast<const std::uint8_t*>(bytes.data());
     return {options_.size, {first, first + bytes.size()}};
 }
 
 Radiance Headless::radiance()
 {
-    const std::vector<std::byte> bytes =
-        gpu::readImage(device_.context(), target_, gpu::ImageUse::colorTarget);
-    Radiance picture{options_.size, std::vector<std::uint16_t>(bytes.size() / 2)};
-    std::memcpy(picture.rgba.data(), bytes.data(), bytes.size());
-    return picture;
+    const std::span<const std::byte> bytes =
+        gpu::readImage(device_.context(), target_, gpu::ImageUse::colorTarget, staging_);
+    const auto* first = reinterpret_cast<const std::uint16_t*>(bytes.data());
+    return {options_.size, {first, first + bytes.size() / sizeof *first}};
 }
 
 void Headless::drawReference(std::uint64_t frame, const std::function<void()>& use)

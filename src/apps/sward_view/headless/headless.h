@@ -9,6 +9,7 @@
 #include "field/read.h"
 #include "gpu/device/device.h"
 #include "gpu/device/instance.h"
+#include "gpu/memory/buffer.h"
 #include "gpu/memory/image.h"
 #include "gpu/recording/frame_ring.h"
 #include "gpu/recording/timestamps.h"
@@ -121,6 +122,7 @@ private:
     gpu::Device device_;
     std::uint32_t samples_;
     gpu::Image target_;
+    gpu::Buffer staging_; ///< through which pictures are read
     render::FieldRenderer renderer_;
     gpu::Timestamps timestamps_;
     gpu::FrameRing ring_;

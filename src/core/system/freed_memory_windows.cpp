@@ -1,0 +1,7 @@
+#include "core/system/freed_memory.h"
+
+namespace sward {
+
+void keepFreedMemory() {}
+
+} // namespace sward
