@@ -82,7 +82,7 @@ THIRD_PARTY = {
     "draco": ["draco/*"],
     "gdal": ["gdal*", "ogr*", "cpl*"],
     "pybind11": ["pybind11/*"],
-    "posix": ["sys/*", "unistd.h", "fcntl.h", "spawn.h", "poll.h", "dlfcn.h", "pthread.h"],
+    "posix": ["sys/*", "unistd.h", "fcntl.h", "spawn.h", "poll.h", "dlfcn.h", "malloc.h", "pthread.h"],
     "windows": ["windows.h", "psapi.h", "shellapi.h", "io.h"],
     "intrinsics": ["*intrin.h"],
 }
