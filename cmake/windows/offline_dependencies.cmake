@@ -96,7 +96,7 @@ add_library(PNG::PNG ALIAS sward_png)
 
 sward_add_source_library(meshoptimizer meshoptimizer
   INCLUDE src
-  SOURCES src/indexcodec.cpp src/vertexcodec.cpp)
+  SOURCES src/indexcodec.cpp src/vertexcodec.cpp src/vertexfilter.cpp)
 add_library(meshoptimizer::meshoptimizer ALIAS sward_meshoptimizer)
 
 # Only what decodes meshes.

@@ -6,6 +6,7 @@
 #include "apps/sward_view/headless/picture_target.h"
 #include "apps/sward_view/picture/picture_mean.h"
 #include "apps/sward_view/scene/camera_file.h"
+#include "core/error.h"
 #include "gpu/memory/image_use.h"
 #include "gpu/memory/readback.h"
 #include "render/frame/frame_time.h"
