@@ -184,6 +184,8 @@ class AddonFiles(unittest.TestCase):
             self.assertIn("addons/sward/LICENSE", names)
             for path in ADDON.glob("*.gd"):
                 self.assertIn(f"addons/sward/{path.name}", names)
+            # The extensions of the build, which is there when tests run.
+            self.assertIn("addons/sward/native/libsward_godot_native.so", names)
             # Into a project: the same files.
             Path(folder, "project.godot").touch()
             subprocess.run([ROOT / "scripts/godot-addon", "--into", folder], check=True, capture_output=True)
