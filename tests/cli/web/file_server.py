@@ -28,17 +28,19 @@ class FolderServer:
                 if not ranges or not asked or not os.path.exists(path):
                     super().do_GET()
                     return
-                with open(path, "rb") as file:
-                    data = file.read()
-                first, last = int(asked[1]), min(int(asked[2]), len(data) - 1)
-                if first >= len(data):
+                size = os.path.getsize(path)
+                first, last = int(asked[1]), min(int(asked[2]), size - 1)
+                if first >= size:
                     self.send_error(416)
                     return
+                with open(path, "rb") as file:
+                    file.seek(first)
+                    data = file.read(last - first + 1)
                 self.send_response(206)
-                self.send_header("Content-Range", f"bytes {first}-{last}/{len(data)}")
+                self.send_header("Content-Range", f"bytes {first}-{last}/{size}")
                 self.send_header("Content-Length", str(last - first + 1))
                 self.end_headers()
-                self.wfile.write(data[first:last + 1])
+                self.wfile.write(data)
                 owner.bytes_sent += last - first + 1
 
             def do_POST(self):
