@@ -1,4 +1,4 @@
-#include "core/error.h"
+#include "core/error_name.h"
 #include "python/python_module.h"
 
 #include <exception>
@@ -10,34 +10,13 @@ namespace {
 
 namespace py = pybind11;
 
-const char* kindName(ErrorKind kind)
-{
-    switch (kind) {
-    case ErrorKind::usage:
-        return "usage";
-    case ErrorKind::io:
-        return "io";
-    case ErrorKind::input:
-        return "input";
-    case ErrorKind::unsupported:
-        return "unsupported";
-    case ErrorKind::difference:
-        return "difference";
-    case ErrorKind::interrupted:
-        return "interrupted";
-    case ErrorKind::runtime:
-        break;
-    }
-    return "runtime";
-}
-
 // Raises sward.Error. File names in messages are bytes, as Python's os.fsdecode() reads them.
 void raise(ErrorKind kind, const std::string& message)
 {
     const py::object type = py::module_::import("sward._errors").attr("Error");
     const py::object text = py::reinterpret_steal<py::object>(PyUnicode_DecodeUTF8(
         message.data(), static_cast<Py_ssize_t>(message.size()), "surrogateescape"));
-    const py::object error = type(text, kindName(kind), static_cast<int>(kind));
+    const py::object error = type(text, nameOf(kind), static_cast<int>(kind));
     PyErr_SetObject(type.ptr(), error.ptr());
 }
 

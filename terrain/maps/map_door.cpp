@@ -1,4 +1,5 @@
 #include "core/error.h"
+#include "core/process/program_path.h"
 #include "core/system/shared_library.h"
 #include "terrain/files/file_kind.h"
 #include "terrain/maps/map_reader.h"

@@ -5,7 +5,7 @@
 #include "bake/paint/stroke_contact.h"
 #include "bake/paint/stroke_move.h"
 #include "bake/settings/stroke_file.h"
-#include "core/error.h"
+#include "core/error_name.h"
 #include "core/files/atomic_file.h"
 #include "core/json/json_text.h"
 #include "core/json/settings_json.h"
@@ -29,26 +29,6 @@ namespace {
 using nlohmann::json;
 
 constexpr const char* requestPlace = "request";
-
-const char* nameOf(ErrorKind kind)
-{
-    switch (kind) {
-    case ErrorKind::usage:
-        return "usage";
-    case ErrorKind::io:
-        return "io";
-    case ErrorKind::input:
-        return "input";
-    case ErrorKind::unsupported:
-        return "unsupported";
-    case ErrorKind::interrupted:
-        return "interrupted";
-    case ErrorKind::runtime:
-    case ErrorKind::difference:
-        break;
-    }
-    return "runtime";
-}
 
 json errorAnswer(ErrorKind kind, const std::string& message)
 {

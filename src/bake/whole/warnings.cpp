@@ -122,6 +122,10 @@ void warnAboutIdle(const RootCounts& counts, const Report::Input& ground,
     for (const ExcludedArea& area : settings.excluded) {
         if (area.map != nullptr) {
             const terrain::MapBounds own = area.map->bounds();
+            if (!(own.low.x <= own.high.x)) {
+                diagnostics.warn("--exclude {}: has no areas", area.file);
+                continue;
+            }
             diagnostics.warn(
                 "--exclude {}: excludes nothing; it lies from {:.8g} to {:.8g} m east and "
                 "{:.8g} to {:.8g} m north, the ground from {:.8g} to {:.8g} and {:.8g} to {:.8g}",

@@ -7,6 +7,9 @@ namespace sward {
 /// The file of the program that runs; empty if the system does not tell.
 std::filesystem::path programPath();
 
+/// The folder of the program, or of the library that holds this code.
+std::filesystem::path ownFolder();
+
 /// The file beside it, or anywhere, that holds the program `name`: with ".exe" on Windows.
 std::filesystem::path programFile(const std::filesystem::path& name);
 

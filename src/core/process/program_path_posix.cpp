@@ -1,5 +1,6 @@
 #include "core/process/program_path.h"
 
+#include <dlfcn.h>
 #include <unistd.h>
 
 #include <system_error>
@@ -10,6 +11,19 @@ std::filesystem::path programPath()
 {
     std::error_code ignored;
     return std::filesystem::read_symlink("/proc/self/exe", ignored);
+}
+
+std::filesystem::path ownFolder()
+{
+    Dl_info info = {};
+    std::filesystem::path file;
+    if (dladdr(reinterpret_cast<const void*>(&ownFolder), &info) != 0 && info.dli_fname != nullptr)
+        file = info.dli_fname;
+    // Of a program the linker knows the name by which it was called.
+    if (file.filename().string().find(".so") == std::string::npos)
+        file = programPath();
+    std::error_code ignored;
+    return std::filesystem::weakly_canonical(file, ignored).parent_path();
 }
 
 std::filesystem::path programFile(const std::filesystem::path& name)

@@ -14,6 +14,11 @@ std::filesystem::path programPath()
     return std::filesystem::path(path.data(), path.data() + size);
 }
 
+std::filesystem::path ownFolder()
+{
+    return programPath().parent_path();
+}
+
 std::filesystem::path programFile(const std::filesystem::path& name)
 {
     return std::filesystem::path(name) += ".exe";

@@ -1,6 +1,5 @@
 #pragma once
 
-#include <filesystem>
 #include <string>
 
 namespace sward {
@@ -12,8 +11,5 @@ std::string libraryFile(const std::string& name, int version);
 /// The address of a function of a shared library, which is opened if the process has not opened it
 /// yet, and stays open. Null if there is no such library or function.
 void* functionOf(const char* library, const char* function);
-
-/// Folder of the program or library that holds this code; empty if the system does not say.
-std::filesystem::path ownFolder();
 
 } // namespace sward

@@ -18,13 +18,4 @@ void* functionOf(const char* library, const char* function)
                              : nullptr;
 }
 
-std::filesystem::path ownFolder()
-{
-    std::wstring name(32768, L'\0');
-    const DWORD length =
-        ::GetModuleFileNameW(nullptr, name.data(), static_cast<DWORD>(name.size()));
-    name.resize(length);
-    return std::filesystem::path(name).parent_path();
-}
-
 } // namespace sward
