@@ -56,6 +56,50 @@ class CaptureTest(WindowCase):
         self.assertEqual((width, height), self.SIZE, "with every pixel of the window")
         self.assert_ends_well(viewer)
 
+    def test_a_path_is_recorded_and_render_takes_it(self):
+        field = self.field()
+        viewer = self.open(field, "--panel", "camera")
+        viewer.key("r")
+        viewer.wait_for_value("Camera/Record", lambda shown: shown == "on", "it records")
+        viewer.drag((600, 200), (700, 220), steps=8)
+        viewer.key("r")
+        path = self.folder / "camera_path.json"
+        viewer.wait(path.exists, "the path is written")
+        stops = json.loads(path.read_text())
+        self.assertGreater(len(stops), 3)
+        self.assertNotEqual(stops[0]["eye"], stops[-1]["eye"])
+        # Played, it ends where it was left.
+        viewer.key("Home")
+        viewer.press("Replay", panel="Camera")
+        self.assert_ends_well(viewer)
+        subprocess.run([VIEWER, "render", field, "-o", self.folder / "way_%d.png", "--frames",
+                        "0:1", "--fixed-dt", str(stops[-1]["time"]), "--camera", path, "--size",
+                        "32x32", "-q"], check=True)
+        self.assertNotEqual((self.folder / "way_0.png").read_bytes(),
+                            (self.folder / "way_1.png").read_bytes())
+
+    def test_a_bookmark_is_there_in_the_next_run(self):
+        calm = (self.field(), "--wind-strength", "0", "--panel", "meadow", "--resolution", "0.4")
+        viewer = self.open(*calm)
+        # The panel initially shows the settings of the field's bake.
+        self.assertEqual((viewer.shows("Meadow/Amount"), viewer.shows("Meadow/Count")),
+                         ("count", "1500"))
+        home = grass(self.display, viewer)
+        viewer.drag((600, 200), (720, 240))
+        viewer.key("ctrl+7")
+        viewer.wait_frames(6)
+        set_there = grass(self.display, viewer)
+        self.assertGreater(share_that_differs(home, set_there), 0.1)
+        self.assert_ends_well(viewer)
+        viewer = self.open(*calm)
+        viewer.wait(lambda: share_that_differs(home, grass(self.display, viewer)) < 0.02, "it is at home")
+        viewer.key("7")
+        viewer.wait(lambda: share_that_differs(set_there, grass(self.display, viewer)) < 0.05,
+                    "it shows the place that was set")
+        self.assert_ends_well(viewer)
+
+
+class LongFilmTest(WindowCase):
     def ffmpeg(self, script):
         """A program of that name in a folder of its own; the variable PATH with it in front."""
         programs = self.folder / "programs"
@@ -99,48 +143,6 @@ class CaptureTest(WindowCase):
         viewer.wait_for_value("Message/Error", lambda shown: "No space left" in shown, "it complains")
         self.assertEqual(list(self.folder.glob("*.part*")), [], "nothing half written is left")
         self.assertFalse(film.exists())
-        self.assert_ends_well(viewer)
-
-    def test_a_path_is_recorded_and_render_takes_it(self):
-        field = self.field()
-        viewer = self.open(field, "--panel", "camera")
-        viewer.key("r")
-        viewer.wait_for_value("Camera/Record", lambda shown: shown == "on", "it records")
-        viewer.drag((600, 200), (700, 220), steps=8)
-        viewer.key("r")
-        path = self.folder / "camera_path.json"
-        viewer.wait(path.exists, "the path is written")
-        stops = json.loads(path.read_text())
-        self.assertGreater(len(stops), 3)
-        self.assertNotEqual(stops[0]["eye"], stops[-1]["eye"])
-        # Played, it ends where it was left.
-        viewer.key("Home")
-        viewer.press("Replay", panel="Camera")
-        self.assert_ends_well(viewer)
-        subprocess.run([VIEWER, "render", field, "-o", self.folder / "way_%d.png", "--frames",
-                        "0:1", "--fixed-dt", str(stops[-1]["time"]), "--camera", path, "--size",
-                        "32x32", "-q"], check=True)
-        self.assertNotEqual((self.folder / "way_0.png").read_bytes(),
-                            (self.folder / "way_1.png").read_bytes())
-
-    def test_a_bookmark_is_there_in_the_next_run(self):
-        calm = (self.field(), "--wind-strength", "0", "--panel", "meadow", "--resolution", "0.4")
-        viewer = self.open(*calm)
-        # The panel initially shows the settings of the field's bake.
-        self.assertEqual((viewer.shows("Meadow/Amount"), viewer.shows("Meadow/Count")),
-                         ("count", "1500"))
-        home = grass(self.display, viewer)
-        viewer.drag((600, 200), (720, 240))
-        viewer.key("ctrl+7")
-        viewer.wait_frames(6)
-        set_there = grass(self.display, viewer)
-        self.assertGreater(share_that_differs(home, set_there), 0.1)
-        self.assert_ends_well(viewer)
-        viewer = self.open(*calm)
-        viewer.wait(lambda: share_that_differs(home, grass(self.display, viewer)) < 0.02, "it is at home")
-        viewer.key("7")
-        viewer.wait(lambda: share_that_differs(set_there, grass(self.display, viewer)) < 0.05,
-                    "it shows the place that was set")
         self.assert_ends_well(viewer)
 
 

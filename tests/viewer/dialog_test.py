@@ -8,7 +8,7 @@ sys.path.insert(0, str(Path(__file__).resolve().parent))
 from window_case import WindowCase  # noqa: E402
 
 
-class DialogTest(WindowCase):
+class DialogCase(WindowCase):
     SIZE = (900, 640)
 
     def setUp(self):
@@ -32,6 +32,8 @@ class DialogTest(WindowCase):
         return {name.removeprefix("Files/") for name in viewer.controls()
                 if name.startswith("Files/")} - fixed
 
+
+class DialogTest(DialogCase):
     def test_a_field_is_opened_by_the_mouse(self):
         viewer = self.open("hills.sward")
         self.browse(viewer)
@@ -77,6 +79,8 @@ class DialogTest(WindowCase):
         viewer.wait_for_value("Field/File", lambda shown: shown == "far/plane.sward", "it is opened")
         self.assert_ends_well(viewer)
 
+
+class LongDialogTest(DialogCase):
     def test_a_bake_is_saved_under_a_name_in_a_chosen_folder(self):
         viewer = self.open("ground.glb", "--meadow", "grass")
         viewer.press("Save field as...", panel="Field")

@@ -22,7 +22,7 @@ def bake(ground, count, path, *arguments):
                     "--force", "-q", *meadow, *arguments], check=True)
 
 
-class FieldsTest(WindowCase):
+class FieldsCase(WindowCase):
     SIZE = (900, 780)
 
     def setUp(self):
@@ -39,6 +39,8 @@ class FieldsTest(WindowCase):
                               lambda shown: f" of {total:,} blades".replace(",", " ") in shown,
                               f"{total} blades are shown")
 
+
+class FieldsTest(FieldsCase):
     def test_each_of_several_is_listed_and_may_go_and_come(self):
         viewer = self.open(self.hills, self.plane)
         self.wait_for_total(viewer, 2300)
@@ -80,17 +82,6 @@ class FieldsTest(WindowCase):
         viewer.wait_for_value("Field/File", lambda shown: shown == before, "the new one is chosen")
         self.assert_ends_well(viewer)
 
-    def test_what_is_wrong_with_a_second_one_leaves_the_first(self):
-        broken = self.folder / "broken.sward"
-        broken.write_bytes(self.hills.read_bytes()[:2000])
-        viewer = self.open(self.hills)
-        viewer.press("Drop adds", panel="Field")
-        viewer.wait_frames(2)
-        self.drop(viewer, broken)
-        viewer.wait_for_value("Message/Error", lambda shown: "broken.sward" in shown, "it complains")
-        self.wait_for_total(viewer, 1500)
-        self.assert_ends_well(viewer)
-
     def test_a_click_tells_whose_a_blade_is_and_its_own_id(self):
         rows = {}
         for field in (self.hills, self.plane):
@@ -117,38 +108,6 @@ class FieldsTest(WindowCase):
             if len(seen) == 2:
                 break
         self.assertEqual(seen, set(rows), "blades of both are met")
-        self.assert_ends_well(viewer)
-
-    def test_a_click_tells_of_a_blade_that_is_sown(self):
-        seeded, table = self.folder / "seeded.sward", self.folder / "grown.csv"
-        subprocess.run([SWARD, "bake", "plane", "--density", "4", "--blade-scale", "8", "--sky-rays", "0", "--meadow", "grass",
-                        "--seeds", "always", "--budget", "500", "-o", seeded, "-q"], check=True, stderr=subprocess.DEVNULL)
-        for verb, source, to in (("grow", seeded, self.folder / "grown.sward"), ("export", self.folder / "grown.sward", table)):
-            subprocess.run([SWARD, verb, source, "-o", to, "-q"], check=True, stderr=subprocess.DEVNULL)
-        with open(table) as file:
-            rows = {row["id"]: row for row in csv.DictReader(file)}
-        viewer = self.open(seeded, "--camera", "top", "--resolution", "0.4")
-        viewer.wait_for_value("Field/Sown", lambda shown: shown.replace(" ", "").isdigit(), "blades are sown")
-        viewer.key("space")
-        sown = 0
-        for i in range(60):
-            viewer.click_at(470 + 37 * i % 400, 80 + 29 * i % 440)
-            told = viewer.controls()
-            if "Blade/Id" not in told:
-                continue
-            row = rows[told["Blade/Id"]["shows"]]
-            for axis, shown in zip("xyz", told["Blade/Root"]["shows"].split()):
-                self.assertAlmostEqual(float(row[axis]), float(shown), delta=0.005)
-            self.assertRegex(told["Blade/Species"]["shows"], r"^[a-z]+$")
-            self.assertEqual("Blade/Patch" in told, "Blade/Sown" not in told)
-            if "Blade/Sown" in told:
-                for value in ("Triangle", "Candidate"):
-                    self.assertRegex(told[f"Blade/{value}"]["shows"], r"^\d+$")
-                self.assertEqual(len(told["Blade/Cell"]["shows"].split()), 3)
-                sown += 1
-            if sown == 3:
-                break
-        self.assertEqual(sown, 3)
         self.assert_ends_well(viewer)
 
     def test_only_the_one_that_changed_or_was_chosen_is_exchanged(self):
@@ -235,6 +194,51 @@ class TogetherTest(unittest.TestCase):
         done = self.view("render", *kinds, "-o", "no.png", code=3)
         self.assertIn("species", done.stderr)
         self.assertIn("kind", done.stderr)
+
+
+class LongFieldsTest(FieldsCase):
+    def test_what_is_wrong_with_a_second_one_leaves_the_first(self):
+        broken = self.folder / "broken.sward"
+        broken.write_bytes(self.hills.read_bytes()[:2000])
+        viewer = self.open(self.hills)
+        viewer.press("Drop adds", panel="Field")
+        viewer.wait_frames(2)
+        self.drop(viewer, broken)
+        viewer.wait_for_value("Message/Error", lambda shown: "broken.sward" in shown, "it complains")
+        self.wait_for_total(viewer, 1500)
+        self.assert_ends_well(viewer)
+
+    def test_a_click_tells_of_a_blade_that_is_sown(self):
+        seeded, table = self.folder / "seeded.sward", self.folder / "grown.csv"
+        subprocess.run([SWARD, "bake", "plane", "--density", "4", "--blade-scale", "8", "--sky-rays", "0", "--meadow", "grass",
+                        "--seeds", "always", "--budget", "500", "-o", seeded, "-q"], check=True, stderr=subprocess.DEVNULL)
+        for verb, source, to in (("grow", seeded, self.folder / "grown.sward"), ("export", self.folder / "grown.sward", table)):
+            subprocess.run([SWARD, verb, source, "-o", to, "-q"], check=True, stderr=subprocess.DEVNULL)
+        with open(table) as file:
+            rows = {row["id"]: row for row in csv.DictReader(file)}
+        viewer = self.open(seeded, "--camera", "top", "--resolution", "0.4")
+        viewer.wait_for_value("Field/Sown", lambda shown: shown.replace(" ", "").isdigit(), "blades are sown")
+        viewer.key("space")
+        sown = 0
+        for i in range(60):
+            viewer.click_at(470 + 37 * i % 400, 80 + 29 * i % 440)
+            told = viewer.controls()
+            if "Blade/Id" not in told:
+                continue
+            row = rows[told["Blade/Id"]["shows"]]
+            for axis, shown in zip("xyz", told["Blade/Root"]["shows"].split()):
+                self.assertAlmostEqual(float(row[axis]), float(shown), delta=0.005)
+            self.assertRegex(told["Blade/Species"]["shows"], r"^[a-z]+$")
+            self.assertEqual("Blade/Patch" in told, "Blade/Sown" not in told)
+            if "Blade/Sown" in told:
+                for value in ("Triangle", "Candidate"):
+                    self.assertRegex(told[f"Blade/{value}"]["shows"], r"^\d+$")
+                self.assertEqual(len(told["Blade/Cell"]["shows"].split()), 3)
+                sown += 1
+            if sown == 3:
+                break
+        self.assertEqual(sown, 3)
+        self.assert_ends_well(viewer)
 
 
 if __name__ == "__main__":

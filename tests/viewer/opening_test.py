@@ -14,7 +14,7 @@ from viewer import child_of  # noqa: E402
 from window_case import ROOT, SWARD, WindowCase  # noqa: E402
 
 
-class OpeningTest(WindowCase):
+class OpeningCase(WindowCase):
     SIZE = (800, 600)
 
     def setUp(self):
@@ -35,6 +35,8 @@ class OpeningTest(WindowCase):
         super().assert_ends_well(viewer)
         self.assertEqual(list(self.scratch.iterdir()), [], "nothing half written is left")
 
+
+class OpeningTest(OpeningCase):
     def test_without_a_file_it_waits_for_one_that_is_dropped_on_it_or_that_it_remembers(self):
         viewer = self.open_without_field("--panel", "field")
         self.assertIn("Welcome/hills", viewer.controls())
@@ -50,7 +52,8 @@ class OpeningTest(WindowCase):
         viewer.wait_for_field()
         self.assertTrue(viewer.shows("Field/File").endswith("other.sward"))
         self.assert_ends_well(viewer)
-    def test_a_window_that_opens_a_field_does_not_say_that_there_is_none(self):
+
+    def test_a_window_that_opens_a_ground_does_not_say_that_there_is_none_and_bakes_it_again(self):
         viewer = self.start(self.mesh(), "--panel", "field", "--meadow", "grass")
         seen = {}
         viewer.wait(lambda: seen.update(viewer.controls()) or "Field/File" in seen, "it is open")
@@ -58,11 +61,8 @@ class OpeningTest(WindowCase):
         for name in ("Field/No field", "Welcome/hills"):
             self.assertNotIn(name, seen)
         viewer.wait_for_field()
-        self.assert_ends_well(viewer)
-
-    def test_it_is_baked_again_and_the_difference_is_told(self):
-        viewer = self.open(self.mesh(), "--panel", "meadow", "--meadow", "grass")
-        self.assertTrue(viewer.shows("Meadow/Ground").endswith("plane.glb"))
+        viewer.open_panel("Meadow")
+        viewer.wait(lambda: (viewer.shows("Meadow/Ground") or "").endswith("plane.glb"), "it names its ground")
         before = viewer.shows("Status/Numbers").split(" blades")[0].split(" of ")[1]
         viewer.set("Slope to", "Meadow", 0.02)
         viewer.set("Random seed", "Meadow", 0.5)
@@ -104,6 +104,42 @@ class OpeningTest(WindowCase):
                 self.assertIsNone(viewer.process.poll())
         self.assert_ends_well(viewer)
 
+    def test_what_is_watched_is_opened_again(self):
+        field = self.field("hills")
+        viewer = self.open(field, "--watch", "--panel", "field")
+        self.assertEqual(viewer.shows("Field/Blades"), "1 500")
+        subprocess.run([SWARD, "bake", "hills", "--count", "700", "--blade-scale", "8", "-o",
+                        field, "--force", "-q"], check=True)
+        viewer.wait_for_value("Field/Blades", lambda shown: shown == "700", "it shows the new one")
+        # A damaged, then deleted file: the last valid field stays.
+        other = self.folder / "damaged"
+        other.write_bytes(field.read_bytes()[:2000])
+        other.rename(field)
+        viewer.wait_for_value("Message/Error", lambda shown: "hills.sward" in shown, "it complains")
+        field.unlink()
+        viewer.wait_for_value("Message/Error", lambda shown: "was removed" in shown, "it is told")
+        self.assertEqual(viewer.shows("Field/Blades"), "700")
+        self.assert_ends_well(viewer)
+
+    def test_a_mesh_is_baked_again_when_it_or_its_meadow_changes(self):
+        mesh, meadow = self.mesh(), self.folder / "own.json"
+        sparse = json.loads((ROOT / "assets/meadows/lawn.json").read_text()) | {"cover_from_above": 0.01}
+        meadow.write_text(json.dumps(sparse))
+        viewer = self.open(mesh, "--meadow", meadow, "--watch", "--panel", "field")
+        blades = viewer.shows("Field/Blades")
+        self.assertIn("Field/bluegrass", viewer.controls())
+        # Other grass of the same height: the species identify the meadow.
+        text = meadow.read_text()
+        meadow.write_text(text.replace('"bluegrass"', '"moorgrass"'))
+        viewer.wait(lambda: "Field/moorgrass" in viewer.controls(), "the other meadow is sown")
+        self.assertEqual(viewer.shows("Field/Blades"), blades)
+        subprocess.run([SWARD, "terrain", "hills", "-o", mesh, "--force"], check=True)
+        viewer.wait_for_value("Field/Blades", lambda shown: shown != blades, "the other ground bears")
+        self.assertIn("Field/moorgrass", viewer.controls())
+        self.assert_ends_well(viewer)
+
+
+class LongOpeningTest(OpeningCase):
     def test_a_disk_that_is_full_ends_a_bake_and_a_picture_and_harms_nothing(self):
         # Limit the file size; writing then fails with an error, because the signal stays ignored.
         viewer = self.open(self.field("hills"), restore_signals=False)
@@ -120,22 +156,6 @@ class OpeningTest(WindowCase):
         viewer.key("p")
         viewer.wait_for_value("Message/Error", lambda shown: "sward.png" in shown, "it complains")
         self.assertEqual(list(self.folder.glob("*.png*")), [], "nothing half written is left")
-        self.assert_ends_well(viewer)
-    def test_what_is_watched_is_opened_again(self):
-        field = self.field("hills")
-        viewer = self.open(field, "--watch", "--panel", "field")
-        self.assertEqual(viewer.shows("Field/Blades"), "1 500")
-        subprocess.run([SWARD, "bake", "hills", "--count", "700", "--blade-scale", "8", "-o",
-                        field, "--force", "-q"], check=True)
-        viewer.wait_for_value("Field/Blades", lambda shown: shown == "700", "it shows the new one")
-        # A damaged, then deleted file: the last valid field stays.
-        other = self.folder / "damaged"
-        other.write_bytes(field.read_bytes()[:2000])
-        other.rename(field)
-        viewer.wait_for_value("Message/Error", lambda shown: "hills.sward" in shown, "it complains")
-        field.unlink()
-        viewer.wait_for_value("Message/Error", lambda shown: "was removed" in shown, "it is told")
-        self.assertEqual(viewer.shows("Field/Blades"), "700")
         self.assert_ends_well(viewer)
 
     def test_a_file_that_is_cut_and_removed_while_it_is_shown_harms_nothing(self):
@@ -154,23 +174,6 @@ class OpeningTest(WindowCase):
         viewer.wait_for_value("Message/Error", lambda shown: "hills.sward: the file was removed" in shown,
                               "it is told")
         self.assertEqual(viewer.shows("Field/Blades"), "1 500")
-        self.assert_ends_well(viewer)
-
-    def test_a_mesh_is_baked_again_when_it_or_its_meadow_changes(self):
-        mesh, meadow = self.mesh(), self.folder / "own.json"
-        sparse = json.loads((ROOT / "assets/meadows/lawn.json").read_text()) | {"cover_from_above": 0.01}
-        meadow.write_text(json.dumps(sparse))
-        viewer = self.open(mesh, "--meadow", meadow, "--watch", "--panel", "field")
-        blades = viewer.shows("Field/Blades")
-        self.assertIn("Field/bluegrass", viewer.controls())
-        # Other grass of the same height: the species identify the meadow.
-        text = meadow.read_text()
-        meadow.write_text(text.replace('"bluegrass"', '"moorgrass"'))
-        viewer.wait(lambda: "Field/moorgrass" in viewer.controls(), "the other meadow is sown")
-        self.assertEqual(viewer.shows("Field/Blades"), blades)
-        subprocess.run([SWARD, "terrain", "hills", "-o", mesh, "--force"], check=True)
-        viewer.wait_for_value("Field/Blades", lambda shown: shown != blades, "the other ground bears")
-        self.assertIn("Field/moorgrass", viewer.controls())
         self.assert_ends_well(viewer)
 
 

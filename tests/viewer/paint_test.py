@@ -29,7 +29,7 @@ def has_ended(process):
         return True
 
 
-class PaintTest(WindowCase):
+class PaintCase(WindowCase):
     SIZE = (1000, 760)
 
     def setUp(self):
@@ -88,6 +88,14 @@ class PaintTest(WindowCase):
         told = subprocess.run([SWARD, "info", "--json", field], check=True, capture_output=True)
         return json.loads(told.stdout)["blades"]
 
+    def saved(self):
+        try:
+            return json.loads(self.autosave.read_text())["strokes"]
+        except (OSError, ValueError):
+            return []
+
+
+class PaintTest(PaintCase):
     def test_strokes_change_the_picture_and_undo_brings_it_back(self):
         viewer = self.paint()
         before = self.picture(viewer)
@@ -112,21 +120,6 @@ class PaintTest(WindowCase):
         viewer.click("Paint/Stroke 1", 0.1)
         self.settled(viewer, lambda count: count == COUNT, "a hidden stroke does not count")
         self.assertEqual(self.strokes(viewer), 1)
-        self.assert_ends_well(viewer)
-
-    def test_a_field_with_seeds_is_painted_where_it_is_sown(self):
-        seeded = self.folder / "seeded.sward"
-        subprocess.run([SWARD, "bake", GROUND, "--seeds", "always", "--budget", "20000",
-                        *BAKE, "-q", "-o", seeded], check=True)
-        viewer = self.open(seeded, "--ground", GROUND)
-        self.begin(viewer)
-        viewer.wait_frames(20)
-        before = self.picture(viewer)
-        self.erase(viewer)
-        self.wait_for_strokes(viewer, 1)
-        viewer.wait(lambda: share_that_differs(before, self.picture(viewer), 12) > 0.01, "sown blades are gone")
-        viewer.key("ctrl+z")
-        viewer.wait(lambda: share_that_differs(before, self.picture(viewer), 12) < 0.005, "they are back")
         self.assert_ends_well(viewer)
 
     def test_strokes_are_told_named_and_drawn_straight(self):
@@ -160,38 +153,6 @@ class PaintTest(WindowCase):
         viewer.wait(lambda: self.saved()[1].get("name") == "gate", "so has the file")
         viewer.key("ctrl+z")
         viewer.wait(lambda: viewer.shows("Paint/Stroke 2").startswith("Remove grass"), "it has none")
-        self.assert_ends_well(viewer)
-
-    def saved(self):
-        try:
-            return json.loads(self.autosave.read_text())["strokes"]
-        except (OSError, ValueError):
-            return []
-
-    def test_strokes_off_the_ground_are_told_and_moved(self):
-        strokes = self.folder / "above.json"
-        strokes.write_text(json.dumps({"format": "sward strokes 1", "strokes": [
-            {"kind": "erase", "radius_m": 2, "points": [[-4, 3, 0], [4, 3, 0]], "normals": [[0, 1, 0]]}]}))
-        viewer = self.open(self.meadow, "--ground", GROUND)
-        viewer.type_anew("Strokes", "Paint", str(strokes))
-        self.begin(viewer)
-        viewer.wait(lambda: "touch no ground" in (viewer.shows("Message/Error") or ""), "it is told")
-        self.assertIn("touches no ground", viewer.shows("Paint/Stroke 1"))
-        self.assertEqual(self.blades(viewer), COUNT)
-        viewer.set("Move by", "Paint", 0.9)
-        viewer.click("Paint/Move onto ground")
-        self.settled(viewer, lambda count: 0 < count < COUNT, "the stroke counts")
-        viewer.wait(lambda: "Paint/Off the ground" not in viewer.controls(), "nothing is left")
-        viewer.key("ctrl+z")
-        self.settled(viewer, lambda count: count == COUNT, "it is above the ground again")
-        self.assert_ends_well(viewer)
-
-    def test_the_eyedropper_takes_a_species(self):
-        viewer = self.paint()
-        viewer.click("Paint/Take species")
-        viewer.click_at(*LEFT)
-        viewer.wait_for_value("Paint/Kind", lambda shown: shown == "Sow a species", "it is the brush's")
-        self.assertEqual(self.strokes(viewer), 0, "the click paints nothing")
         self.assert_ends_well(viewer)
 
     def test_what_is_saved_is_what_was_painted(self):
@@ -272,6 +233,49 @@ class PaintTest(WindowCase):
         self.wait_for_strokes(again, 1)
         self.settled(again, lambda count: 0 < count < COUNT, "the stroke is applied")
         self.assert_ends_well(again)
+
+
+class LongPaintTest(PaintCase):
+    def test_a_field_with_seeds_is_painted_where_it_is_sown(self):
+        seeded = self.folder / "seeded.sward"
+        subprocess.run([SWARD, "bake", GROUND, "--seeds", "always", "--budget", "20000",
+                        *BAKE, "-q", "-o", seeded], check=True)
+        viewer = self.open(seeded, "--ground", GROUND)
+        self.begin(viewer)
+        viewer.wait_frames(20)
+        before = self.picture(viewer)
+        self.erase(viewer)
+        self.wait_for_strokes(viewer, 1)
+        viewer.wait(lambda: share_that_differs(before, self.picture(viewer), 12) > 0.01, "sown blades are gone")
+        viewer.key("ctrl+z")
+        viewer.wait(lambda: share_that_differs(before, self.picture(viewer), 12) < 0.005, "they are back")
+        self.assert_ends_well(viewer)
+
+    def test_strokes_off_the_ground_are_told_and_moved(self):
+        strokes = self.folder / "above.json"
+        strokes.write_text(json.dumps({"format": "sward strokes 1", "strokes": [
+            {"kind": "erase", "radius_m": 2, "points": [[-4, 3, 0], [4, 3, 0]], "normals": [[0, 1, 0]]}]}))
+        viewer = self.open(self.meadow, "--ground", GROUND)
+        viewer.type_anew("Strokes", "Paint", str(strokes))
+        self.begin(viewer)
+        viewer.wait(lambda: "touch no ground" in (viewer.shows("Message/Error") or ""), "it is told")
+        self.assertIn("touches no ground", viewer.shows("Paint/Stroke 1"))
+        self.assertEqual(self.blades(viewer), COUNT)
+        viewer.set("Move by", "Paint", 0.9)
+        viewer.click("Paint/Move onto ground")
+        self.settled(viewer, lambda count: 0 < count < COUNT, "the stroke counts")
+        viewer.wait(lambda: "Paint/Off the ground" not in viewer.controls(), "nothing is left")
+        viewer.key("ctrl+z")
+        self.settled(viewer, lambda count: count == COUNT, "it is above the ground again")
+        self.assert_ends_well(viewer)
+
+    def test_the_eyedropper_takes_a_species(self):
+        viewer = self.paint()
+        viewer.click("Paint/Take species")
+        viewer.click_at(*LEFT)
+        viewer.wait_for_value("Paint/Kind", lambda shown: shown == "Sow a species", "it is the brush's")
+        self.assertEqual(self.strokes(viewer), 0, "the click paints nothing")
+        self.assert_ends_well(viewer)
 
     def test_a_session_that_is_killed_is_told_and_the_window_goes_on(self):
         viewer = self.paint()

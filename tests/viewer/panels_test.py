@@ -151,6 +151,50 @@ class PanelsTest(PanelsCase):
                                       f"{name} leaves out as many as before")
         self.assert_ends_well(viewer)
 
+    def test_every_control_of_every_panel_tells_what_it_is_with_unit_and_range(self):
+        viewer = self.open(self.field())
+        for panel, button in (("Colliders", "Add capsule"), ("Wind", "Add source")):
+            viewer.press(button, panel=panel)
+        # Numbers without a unit are shares, counts, or described by words.
+        with_unit = ("Wind/1/Strength", "Physics/Recovery", "Look/Azimuth", "Culling/Draw distance",
+                     "Colliders/Radius", "Capture/Interval", "Meadow/Slope to")
+        kinds, abouts = {}, {}
+        for panel in PANELS:
+            viewer.open_panel(panel)
+            viewer.wait_frames(2)
+            told = {name: control for name, control in viewer.controls().items()
+                    if name.startswith(panel + "/")}
+            self.assertGreater(len(told), 3, panel)
+            for name, control in told.items():
+                with self.subTest(control=name):
+                    about = abouts[name] = control["about"]
+                    self.assertGreater(len(about), 8, "it tells what it is")
+                    kind = control["kind"]
+                    kinds.setdefault(kind, []).append(name)
+                    if kind == "number":
+                        # A second line: from, to, and the unit unless the first one names it.
+                        self.assertRegex(about, r"\n-?[\d.e+-]+ to [\d.e+-]+")
+                    if kind in ("toggle", "choice", "color", "place", "compass"):
+                        self.assertIn("\n", about)
+                    if kind == "place":
+                        self.assertIn(" in m", about)
+        # Each kind was met, in all more than sixty that can be turned.
+        self.assertEqual(set(kinds), {"", "number", "toggle", "choice", "color", "text", "place",
+                                      "compass", "button"})
+        self.assertGreater(sum(len(names) for kind, names in kinds.items() if kind), 60)
+        for name in with_unit:
+            self.assertRegex(abouts[name], r"to [\d.e+-]+ (1/s|m|s|°);", name)
+
+        # It is really shown where the mouse rests.
+        viewer.open_panel("Physics")
+        self.display.xdotool("mousemove", "--window", viewer.window.number,
+                             *viewer.centre("Physics/Strength"))
+        shown = viewer.wait(lambda: viewer.shows("Tooltip/Physics/Strength"), "the tooltip is there")
+        self.assertIn("0 to 40 1/s", shown)
+        self.assert_ends_well(viewer)
+
+
+class LongPanelsTest(PanelsCase):
     def test_a_click_tells_of_a_blade(self):
         viewer = self.open(self.field(), "--camera", "top", "--resolution", "0.4")
         viewer.key("space")
@@ -193,48 +237,6 @@ class PanelsTest(PanelsCase):
         rate, milliseconds = (float(number) for number in re.search(
             r"([\d.]+) frames/s +([\d.]+) ms", told["Status/Numbers"]["shows"]).groups())
         self.assertAlmostEqual(rate * milliseconds, 1000, delta=0.05 * 1000 + 0.06 * milliseconds)
-        self.assert_ends_well(viewer)
-
-    def test_every_control_of_every_panel_tells_what_it_is_with_unit_and_range(self):
-        viewer = self.open(self.field())
-        for panel, button in (("Colliders", "Add capsule"), ("Wind", "Add source")):
-            viewer.press(button, panel=panel)
-        # Numbers without a unit are shares, counts, or described by words.
-        with_unit = ("Wind/1/Strength", "Physics/Recovery", "Look/Azimuth", "Culling/Draw distance",
-                     "Colliders/Radius", "Capture/Interval", "Meadow/Slope to")
-        kinds, abouts = {}, {}
-        for panel in PANELS:
-            viewer.open_panel(panel)
-            viewer.wait_frames(2)
-            told = {name: control for name, control in viewer.controls().items()
-                    if name.startswith(panel + "/")}
-            self.assertGreater(len(told), 3, panel)
-            for name, control in told.items():
-                with self.subTest(control=name):
-                    about = abouts[name] = control["about"]
-                    self.assertGreater(len(about), 8, "it tells what it is")
-                    kind = control["kind"]
-                    kinds.setdefault(kind, []).append(name)
-                    if kind == "number":
-                        # A second line: from, to, and the unit unless the first one names it.
-                        self.assertRegex(about, r"\n-?[\d.e+-]+ to [\d.e+-]+")
-                    if kind in ("toggle", "choice", "color", "place", "compass"):
-                        self.assertIn("\n", about)
-                    if kind == "place":
-                        self.assertIn(" in m", about)
-        # Each kind was met, in all more than sixty that can be turned.
-        self.assertEqual(set(kinds), {"", "number", "toggle", "choice", "color", "text", "place",
-                                      "compass", "button"})
-        self.assertGreater(sum(len(names) for kind, names in kinds.items() if kind), 60)
-        for name in with_unit:
-            self.assertRegex(abouts[name], r"to [\d.e+-]+ (1/s|m|s|°);", name)
-
-        # It is really shown where the mouse rests.
-        viewer.open_panel("Physics")
-        self.display.xdotool("mousemove", "--window", viewer.window.number,
-                             *viewer.centre("Physics/Strength"))
-        shown = viewer.wait(lambda: viewer.shows("Tooltip/Physics/Strength"), "the tooltip is there")
-        self.assertIn("0 to 40 1/s", shown)
         self.assert_ends_well(viewer)
 
 

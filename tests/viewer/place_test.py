@@ -38,50 +38,6 @@ class PlaceTest(WindowCase):
                 self.assertAlmostEqual((first + last) / 2, (free_begin + self.SIZE[0]) / 2, delta=25)
         self.assert_ends_well(viewer)
 
-    def assert_shows_all(self, viewer):
-        """Ground and grass lie in the free part of the window and nearly fill it."""
-        viewer.away()
-        controls, (left, top, width, height) = viewer.controls(), viewer.window.geometry()
-        begin = round(controls["Panel/Width"]["x"])
-        end = round(controls["Status/Numbers"]["y"]) - 12
-        rows = self.display.picture(left + begin, top, width - begin, end)
-        is_field = rows[..., 0] < rows[..., 2] + 10  # the sky is blue
-        across, upward = is_field.any(axis=0).nonzero()[0], is_field.any(axis=1).nonzero()[0]
-        self.assertGreater(width - begin, 0.25 * width, "the panel leaves room")
-        self.assertGreater(across[0], 2)
-        self.assertLess(across[-1], width - begin - 3)
-        self.assertGreater(upward[0], 2)
-        self.assertLess(upward[-1], end - 3)
-        self.assertGreater(max((across[-1] - across[0]) / (width - begin), (upward[-1] - upward[0]) / end), 0.7)
-        self.assertAlmostEqual((across[0] + across[-1]) / 2, (width - begin) / 2, delta=0.05 * width)
-
-    def test_fit_cuts_nothing_off_however_large_panel_and_controls_are(self):
-        field = self.field("hills", 1000, 4)
-        # Under a sky that is not above it, it stands on no floor.
-        tilted = self.folder / "tilted.json"
-        tilted.write_text(json.dumps({"look": {"up": [0.3, 1, 0]}}))
-        for panel, size, scale in (("field", (1100, 640), 1), ("look", (1000, 600), 2)):
-            with self.subTest(panel=panel, scale=scale):
-                viewer = self.open(field, "--panel", panel, "--ui-scale", scale, "--wind-strength", "0",
-                                   "--settings", tilted, size=size)
-                self.assert_shows_all(viewer)  # it begins so
-                viewer.drag((900, 300), (940, 320))
-                viewer.key("f")
-                self.assert_shows_all(viewer)
-                viewer.drag((900, 300), (940, 320))
-                viewer.key("1")
-                self.assert_shows_all(viewer)
-                if scale == 2:
-                    self.assert_ends_well(viewer)
-                    continue
-                # A panel is dragged narrower, and wider again.
-                x = round(viewer.controls()["Panel/Width"]["x"])
-                viewer.drag((x + 2, 300), (x - 118, 300))
-                viewer.wait_for_value("Panel/Width", lambda shown: abs(int(shown) - 220) < 8, "it is narrower")
-                viewer.key("f")
-                self.assert_shows_all(viewer)
-                self.assert_ends_well(viewer)
-
     def throw(self, viewer, begin, end):
         """Drags in the time of a few frames, and lets go at once: what is held is fast then."""
         steps = [[begin[k] + (end[k] - begin[k]) * i // 8 for k in (0, 1)] for i in range(1, 9)]
@@ -136,6 +92,54 @@ class PlaceTest(WindowCase):
         viewer.wait(lambda: abs(shown("Azimuth")[0]) < 10, "it is turned")
         self.assertAlmostEqual(shown("Time of day")[0], hour, delta=0.1)
         self.assert_ends_well(viewer)
+
+
+class LongPlaceTest(WindowCase):
+    SIZE = (1000, 600)
+
+    def assert_shows_all(self, viewer):
+        """Ground and grass lie in the free part of the window and nearly fill it."""
+        viewer.away()
+        controls, (left, top, width, height) = viewer.controls(), viewer.window.geometry()
+        begin = round(controls["Panel/Width"]["x"])
+        end = round(controls["Status/Numbers"]["y"]) - 12
+        rows = self.display.picture(left + begin, top, width - begin, end)
+        is_field = rows[..., 0] < rows[..., 2] + 10  # the sky is blue
+        across, upward = is_field.any(axis=0).nonzero()[0], is_field.any(axis=1).nonzero()[0]
+        self.assertGreater(width - begin, 0.25 * width, "the panel leaves room")
+        self.assertGreater(across[0], 2)
+        self.assertLess(across[-1], width - begin - 3)
+        self.assertGreater(upward[0], 2)
+        self.assertLess(upward[-1], end - 3)
+        self.assertGreater(max((across[-1] - across[0]) / (width - begin), (upward[-1] - upward[0]) / end), 0.7)
+        self.assertAlmostEqual((across[0] + across[-1]) / 2, (width - begin) / 2, delta=0.05 * width)
+
+    def test_fit_cuts_nothing_off_however_large_panel_and_controls_are(self):
+        field = self.field("hills", 1000, 4)
+        # Under a sky that is not above it, it stands on no floor.
+        tilted = self.folder / "tilted.json"
+        tilted.write_text(json.dumps({"look": {"up": [0.3, 1, 0]}}))
+        for panel, size, scale in (("field", (1100, 640), 1), ("look", (1000, 600), 2)):
+            with self.subTest(panel=panel, scale=scale):
+                viewer = self.open(field, "--panel", panel, "--ui-scale", scale, "--wind-strength", "0",
+                                   "--settings", tilted, size=size)
+                self.assert_shows_all(viewer)  # it begins so
+                viewer.drag((900, 300), (940, 320))
+                viewer.key("f")
+                self.assert_shows_all(viewer)
+                viewer.drag((900, 300), (940, 320))
+                viewer.key("1")
+                self.assert_shows_all(viewer)
+                if scale == 2:
+                    self.assert_ends_well(viewer)
+                    continue
+                # A panel is dragged narrower, and wider again.
+                x = round(viewer.controls()["Panel/Width"]["x"])
+                viewer.drag((x + 2, 300), (x - 118, 300))
+                viewer.wait_for_value("Panel/Width", lambda shown: abs(int(shown) - 220) < 8, "it is narrower")
+                viewer.key("f")
+                self.assert_shows_all(viewer)
+                self.assert_ends_well(viewer)
 
 
 if __name__ == "__main__":

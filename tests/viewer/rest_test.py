@@ -7,7 +7,6 @@ import subprocess
 import sys
 import time
 import unittest
-import zlib
 from pathlib import Path
 
 import numpy as np
@@ -17,6 +16,9 @@ from display import Display, share_that_differs, wait_until  # noqa: E402
 from viewer import processor_seconds  # noqa: E402
 from window_case import VIEWER, WindowCase  # noqa: E402
 
+sys.path.append(str(Path(__file__).resolve().parents[1] / "cli/view"))
+from png import picture_of  # noqa: E402
+
 # Of the window at rest to the reference picture, which has 256 samples and no level of detail, in dB. It is
 # nearer to that than a picture that render makes, with 31.8.
 LEAST_PSNR = 31.5
@@ -25,42 +27,6 @@ LEAST_PSNR = 31.5
 FINER = 5.0
 
 IDLE_SHARE = 0.05  # of a processor, for the window's own ten looks a second at its input
-
-
-def read_png(path):
-    """Rows of (blue, green, red), as Display.picture() has them."""
-    data = Path(path).read_bytes()
-    place, packed = 8, b""
-    while place < len(data):
-        size, kind = int.from_bytes(data[place:place + 4], "big"), data[place + 4:place + 8]
-        content = data[place + 8:place + 8 + size]
-        if kind == b"IHDR":
-            width, height = (int.from_bytes(content[k:k + 4], "big") for k in (0, 4))
-            channels = {2: 3, 6: 4}[content[9]]
-        elif kind == b"IDAT":
-            packed += content
-        place += 12 + size
-    raw, stride = zlib.decompress(packed), channels * width
-    rows, above = [], bytes(stride)
-    for y in range(height):
-        mode, line = raw[y * (stride + 1)], bytearray(raw[y * (stride + 1) + 1:(y + 1) * (stride + 1)])
-        for i in range(stride):
-            left = line[i - channels] if i >= channels else 0
-            corner = above[i - channels] if i >= channels else 0
-            line[i] = (line[i] + predicted(mode, left, above[i], corner)) & 255
-        rows.append(line)
-        above = bytes(line)
-    rows = np.array(rows, np.uint8).reshape(height, width, channels)
-    return rows[..., 2::-1].astype(np.int16)
-
-
-def predicted(mode, left, up, corner):
-    """What PNG's filters of a row subtract."""
-    if mode < 3:
-        return (0, left, up)[mode]
-    if mode == 3:
-        return (left + up) // 2
-    return min((left, up, corner), key=lambda value: abs(left + up - corner - value))
 
 
 def psnr(first, second):
@@ -95,7 +61,7 @@ class RestCase(WindowCase):
         picture = self.folder / "render.png"
         subprocess.run([VIEWER, "render", field, "--camera", "eye", "--size", "{}x{}".format(*self.SIZE),
                         "--wind-strength", "0", "-q", "--force", "-o", picture, *arguments], check=True)
-        return read_png(picture)
+        return picture_of(picture)[..., ::-1]  # (blue, green, red), as Display.picture() has them
 
 
 class RestTest(RestCase):
@@ -147,6 +113,23 @@ class RestTest(RestCase):
         self.assert_ends_well(viewer)
 
 
+class LongRestTest(RestCase):
+    """A reference picture takes half a minute; other pictures at rest."""
+
+    def test_its_picture_is_nearer_to_the_reference_than_that_of_render(self):
+        hills, viewer = self.open_calm_hills()
+        moving = viewer.window.picture()
+        self.wait_for_the_end(viewer)
+        fine = viewer.window.picture()
+        reference = self.render(hills, "--reference")
+        at_rest, before, rendered = (psnr(picture, reference) for picture in (fine, moving, self.render(hills)))
+        print(f"PSNR to the reference: {at_rest:.1f} dB at rest, {before:.1f} before, "
+              f"{rendered:.1f} by render")
+        self.assertGreater(at_rest, LEAST_PSNR)
+        self.assertGreater(at_rest, rendered)
+        self.assertLess(before, LEAST_PSNR)
+        self.assert_ends_well(viewer)
+
     def test_the_fine_picture_appears_as_a_whole(self):
         viewer = self.open(self.field("hills", 4000, 4), "--panel", "off", "--wind-strength", "0", size=(440, 320))
         shown = [viewer.window.picture()]
@@ -181,24 +164,6 @@ class RestTest(RestCase):
         viewer.wait(lambda: viewer.shows("Status/Refined"), "it rests")
         viewer.wait(lambda: number(viewer.shows("Status/Numbers")) == total(), "the status bar follows")
         viewer.wait(lambda: f"of {total()} blades" in viewer.window.title(), "the title does")
-        self.assert_ends_well(viewer)
-
-
-class LongRestTest(RestCase):
-    """A reference picture takes half a minute."""
-
-    def test_its_picture_is_nearer_to_the_reference_than_that_of_render(self):
-        hills, viewer = self.open_calm_hills()
-        moving = viewer.window.picture()
-        self.wait_for_the_end(viewer)
-        fine = viewer.window.picture()
-        reference = self.render(hills, "--reference")
-        at_rest, before, rendered = (psnr(picture, reference) for picture in (fine, moving, self.render(hills)))
-        print(f"PSNR to the reference: {at_rest:.1f} dB at rest, {before:.1f} before, "
-              f"{rendered:.1f} by render")
-        self.assertGreater(at_rest, LEAST_PSNR)
-        self.assertGreater(at_rest, rendered)
-        self.assertLess(before, LEAST_PSNR)
         self.assert_ends_well(viewer)
 
 

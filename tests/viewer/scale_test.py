@@ -13,7 +13,7 @@ from window_case import VIEWER, WindowCase  # noqa: E402
 DARK = 56  # panels are darker, over a white picture too; the sky and sunlit ground are lighter
 
 
-class ScaleTest(WindowCase):
+class ScaleCase(WindowCase):
     SIZE = (1200, 780)
 
     def open(self, *arguments, dots_per_inch=None, size=None):
@@ -74,7 +74,9 @@ class ScaleTest(WindowCase):
         viewer.away()
         self.assert_factor(usual, self.sizes(viewer), 1)
 
-    def test_it_follows_the_content_scale_the_option_overrides_it_and_keys_change_it(self):
+
+class ScaleTest(ScaleCase):
+    def test_it_follows_the_content_scale_and_keys_change_it(self):
         viewer = self.open()
         usual = self.sizes(viewer)
         self.keys_change_it(viewer, usual)
@@ -87,6 +89,23 @@ class ScaleTest(WindowCase):
         self.assertLess(max(control["y"] + control["height"] for control in rail),
                         viewer.window.geometry()[3] - 2 * usual["status"])
         self.hits(viewer)
+        self.assert_ends_well(viewer)
+
+    def test_a_size_out_of_range_is_refused(self):
+        field = self.field()
+        for value in ("0.4", "4.1", "nan", "large"):
+            with self.subTest(value=value):
+                done = subprocess.run([VIEWER, field, "--ui-scale", value], capture_output=True,
+                                      text=True, env={**os.environ, "DISPLAY": self.display.name})
+                self.assertEqual(done.returncode, 1, done.stderr)
+                self.assertIn("--ui-scale", done.stderr)
+                self.assertIn(value, done.stderr)
+
+
+class LongScaleTest(ScaleCase):
+    def test_the_option_overrides_the_content_scale(self):
+        viewer = self.open()
+        usual = self.sizes(viewer)
         self.assert_ends_well(viewer)
 
         viewer = self.open("--ui-scale", "1", dots_per_inch=192)
@@ -105,16 +124,6 @@ class ScaleTest(WindowCase):
         viewer = self.open(dots_per_inch=96, size=False)
         self.assertEqual(viewer.window.geometry()[2:], (1280, 720))
         self.assert_ends_well(viewer)
-
-    def test_a_size_out_of_range_is_refused(self):
-        field = self.field()
-        for value in ("0.4", "4.1", "nan", "large"):
-            with self.subTest(value=value):
-                done = subprocess.run([VIEWER, field, "--ui-scale", value], capture_output=True,
-                                      text=True, env={**os.environ, "DISPLAY": self.display.name})
-                self.assertEqual(done.returncode, 1, done.stderr)
-                self.assertIn("--ui-scale", done.stderr)
-                self.assertIn(value, done.stderr)
 
 
 if __name__ == "__main__":

@@ -11,7 +11,7 @@ from viewer import Viewer  # noqa: E402
 from window_case import FEW_PIXELS, VIEWER, WindowCase  # noqa: E402
 
 
-class TwoWindowsTest(WindowCase):
+class TwoWindowsCase(WindowCase):
     SIZE = (900, 700)
 
     @classmethod
@@ -40,6 +40,8 @@ class TwoWindowsTest(WindowCase):
     def strokes(file):
         return len(json.loads(file.read_text())["strokes"]) if file.exists() else 0
 
+
+class TwoWindowsTest(TwoWindowsCase):
     def test_each_has_its_own_autosave(self):
         field = self.field("plane", 6000, 4, "--sky-rays", "0", name="meadow.sward")
         own, others = (self.folder / f"meadow.strokes.autosave{n}.json" for n in ("", "-2"))
@@ -72,6 +74,8 @@ class TwoWindowsTest(WindowCase):
         self.assert_ends_well(other)
         self.assertFalse(own.exists(), "closed without saving")
 
+
+class LongTwoWindowsTest(TwoWindowsCase):
     def test_bookmarks_of_both_are_kept(self):
         one, other = self.field("plane", name="a.sward"), self.field("plane", name="b.sward")
         first, second = self.open(one), self.other(other)

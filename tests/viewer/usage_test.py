@@ -238,6 +238,8 @@ class UsageTest(UsageCase):
         self.assertNotEqual(before, after)
         self.assert_ends_well(viewer)
 
+
+class LongUsageTest(UsageCase):
     def test_enter_in_the_name_opens_it(self):
         self.field("plane")
         viewer = self.open(self.field("hills"), "--panel", "field")

@@ -11,7 +11,7 @@ from display import share_that_differs  # noqa: E402
 from window_case import SWARD, WindowCase  # noqa: E402
 
 
-class WorkTest(WindowCase):
+class WorkCase(WindowCase):
     SIZE = (900, 700)
 
     def open_mesh(self):
@@ -42,6 +42,8 @@ class WorkTest(WindowCase):
     def assert_valid(self, field):
         subprocess.run([SWARD, "validate", field], check=True, capture_output=True)
 
+
+class WorkTest(WorkCase):
     def test_escape_closes_only_what_is_topmost(self):
         viewer = self.open(self.field(), "--panel", "culling", "--camera", "top", "--resolution", "0.4")
         viewer.key("space")
@@ -119,19 +121,6 @@ class WorkTest(WindowCase):
         viewer.window.ask_to_close()
         self.wait_for_end(viewer)
 
-    def test_it_is_saved_at_the_end_under_a_name_that_is_free(self):
-        there = self.field()
-        before = there.read_bytes()
-        viewer = self.open_mesh()
-        viewer.window.ask_to_close()
-        self.asked(viewer)
-        self.assertIn("plane-2.sward", viewer.controls()["Question/Save and close"]["about"])
-        self.answer(viewer, "Save and close")
-        self.wait_for_end(viewer)
-        self.assertEqual(there.read_bytes(), before)
-        self.assert_valid(self.folder / "plane-2.sward")
-        self.assertIn("plane-2.sward", viewer.said())
-
     def test_files_of_settings_cameras_sequences_and_pictures_are_not_replaced_unasked(self):
         old = b"{}"
         for name in ("settings.json", "camera_path.json", "frame_0003.png"):
@@ -172,6 +161,21 @@ class WorkTest(WindowCase):
         self.assertEqual(first.read_bytes(), bytes_of_first)
         viewer.window.ask_to_close()
         self.wait_for_end(viewer)
+
+
+class LongWorkTest(WorkCase):
+    def test_it_is_saved_at_the_end_under_a_name_that_is_free(self):
+        there = self.field()
+        before = there.read_bytes()
+        viewer = self.open_mesh()
+        viewer.window.ask_to_close()
+        self.asked(viewer)
+        self.assertIn("plane-2.sward", viewer.controls()["Question/Save and close"]["about"])
+        self.answer(viewer, "Save and close")
+        self.wait_for_end(viewer)
+        self.assertEqual(there.read_bytes(), before)
+        self.assert_valid(self.folder / "plane-2.sward")
+        self.assertIn("plane-2.sward", viewer.said())
 
 
 if __name__ == "__main__":
