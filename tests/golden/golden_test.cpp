@@ -1,14 +1,17 @@
-#include "support/pictures/picture.h"
 #include "golden/programs.h"
 #include "golden/scenes.h"
+#include "support/pictures/picture.h"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <cstdio>
 #include <filesystem>
+#include <map>
 #include <ostream>
+#include <stdexcept>
 #include <string>
+#include <vector>
 
 namespace sward::golden {
 
@@ -38,6 +41,28 @@ std::vector<std::string> withFolders(std::vector<std::string> arguments)
 
 class GoldenPicture : public testing::TestWithParam<Scene> {};
 
+/// The field of a scene, baked once for all scenes of the process that have the same one.
+std::string fieldOf(const Scene& scene)
+{
+    static std::map<std::vector<std::string>, std::string> baked;
+    std::vector<std::string> bake = withFolders(scene.bake);
+    bake.insert(bake.begin(), "bake");
+    // Blades alone, unless a scene says which plants.
+    if (std::find(bake.begin(), bake.end(), "--meadow") == bake.end())
+        bake.insert(bake.end(), {"--meadow", "grass"});
+    std::string& field = baked[bake];
+    if (field.empty()) {
+        const fs::path folder = fs::path(GOLDEN_OUTPUT) / scene.name;
+        const std::string path = (folder / "field.sward").string();
+        bake.insert(bake.end(), {"-o", path, "-q"});
+        const Finished done = run(GOLDEN_SWARD, bake, folder / "bake.log");
+        if (done.code != 0)
+            throw std::runtime_error("sward bake: " + done.output);
+        field = path;
+    }
+    return field;
+}
+
 // Runs the programs end to end: bake, draw, compare with the accepted picture.
 TEST_P(GoldenPicture, LooksAsItDid)
 {
@@ -45,22 +70,13 @@ TEST_P(GoldenPicture, LooksAsItDid)
     const fs::path folder = fs::path(GOLDEN_OUTPUT) / scene.name;
     fs::remove_all(folder);
     fs::create_directories(folder);
-    const fs::path field = folder / "field.sward";
     const fs::path actualPath = folder / "actual.png";
 
-    // Bake the field.
-    std::vector<std::string> bake = withFolders(scene.bake);
-    bake.insert(bake.begin(), "bake");
-    bake.insert(bake.end(), {"-o", field.string(), "-q"});
-    // Blades alone, unless a scene says which plants.
-    if (std::find(bake.begin(), bake.end(), "--meadow") == bake.end())
-        bake.insert(bake.end(), {"--meadow", "grass"});
-    const Finished baked = run(GOLDEN_SWARD, bake, folder / "bake.log");
-    ASSERT_EQ(baked.code, 0) << baked.output;
+    const std::string field = fieldOf(scene);
 
     // Draw it.
-    std::vector<std::string> render{"render", field.string(), "-o", actualPath.string(),
-                                    "--size", size,           "-q", "--validation"};
+    std::vector<std::string> render{"render", field, "-o", actualPath.string(),
+                                    "--size", size,  "-q", "--validation"};
     // Use the GPU rasteriser unless a scene sets another: the automatic choice depends on the
     // device.
     const auto says = [&scene](const char* option) {
@@ -101,10 +117,13 @@ TEST_P(GoldenPicture, LooksAsItDid)
                   << "scripts/accept-golden accepts the new pictures";
 }
 
-INSTANTIATE_TEST_SUITE_P(Scenes, GoldenPicture, testing::ValuesIn(scenes()),
-                         [](const testing::TestParamInfo<Scene>& scene) {
-                             return scene.param.name;
-                         });
+std::string nameOf(const testing::TestParamInfo<Scene>& scene)
+{
+    return scene.param.name;
+}
+
+INSTANTIATE_TEST_SUITE_P(Scenes, GoldenPicture, testing::ValuesIn(scenes()), nameOf);
+INSTANTIATE_TEST_SUITE_P(LongScenes, GoldenPicture, testing::ValuesIn(furtherScenes()), nameOf);
 
 } // namespace
 } // namespace sward::golden

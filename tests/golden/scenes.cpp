@@ -20,25 +20,20 @@ Scene plantsOf(const std::string& meadow, const std::string& scale,
 
 } // namespace
 
+// At most 10 000 blades each: lavapipe draws them on the CPU. They are oversized, so that few
+// blades cover the ground and are wider than a pixel.
 const std::vector<Scene>& scenes()
 {
-    // At most 10 000 blades each: lavapipe draws them on the CPU. They are oversized, so that few
-    // blades cover the ground and are wider than a pixel.
     static const std::vector<Scene> all{
         // Grass along the surface normal, in any direction.
         {"sphere", {"sphere", "--count", "8000", "--blade-scale", "4"}, {"--camera", "fit"}},
-        {"hills", {"hills", "--count", "10000", "--blade-scale", "6"}, {"--camera", "fit"}},
         {"hills_tessellated",
          {"hills", "--count", "10000", "--blade-scale", "4"},
          {"--camera", "eye", "--geometry", "tessellation"}},
         {"hills_eye", {"hills", "--count", "10000", "--blade-scale", "4"}, {"--camera", "eye"}},
-        {"hills_for_cpu",
-         {"hills", "--count", "10000", "--blade-scale", "4"},
-         {"--camera", "eye", "--raster-for", "cpu", "--samples", "1"}},
         {"hills_for_cpu_4",
          {"hills", "--count", "10000", "--blade-scale", "4"},
          {"--camera", "eye", "--raster-for", "cpu"}},
-        {"arch", {"arch", "--count", "8000", "--blade-scale", "4"}, {"--camera", "fit"}},
         {"arch_from_below",
          {"arch", "--count", "8000", "--blade-scale", "2"},
          {"--camera", "CAMERAS/arch_from_below.json"}},
@@ -49,10 +44,7 @@ const std::vector<Scene>& scenes()
           "vertex-color:R:or-white"},
          {"--camera", "fit"}},
 
-        // The wind: the same field at rest and a second later.
-        {"wind_frame_0",
-         {"plane", "--count", "5000", "--blade-scale", "4"},
-         {"--camera", "edge", "--wind-strength", "6", "--frames", "0:0"}},
+        // A second of wind.
         {"wind_frame_60",
          {"plane", "--count", "5000", "--blade-scale", "4"},
          {"--camera", "edge", "--wind-strength", "6", "--frames", "60:60"}},
@@ -63,9 +55,41 @@ const std::vector<Scene>& scenes()
          {"--camera", "top", "--wind-strength", "0", "--collider", "sphere:-2,1,-1,3", "--collider",
           "capsule:-5,0,6,7,0,1,1"}},
 
-        // Compound plants: every built-in species with organs is in one of these.
+        // Compound plants; see furtherScenes(), too.
         plantsOf("hay", "3", {"timothy", "bent", "buttercup", "ox-eye daisy", "sage", "red clover"},
                  {"ryegrass", "fescue"}),
+        plantsOf("marsh", "1.6", {"bulrush", "cotton-grass", "marsh marigold", "iris", "fern"},
+                 {"sedge", "moor-grass"}),
+
+        // No blades: only ground and sky.
+        {"empty", {"plane", "--slope", "45:90", "--density", "10"}, {"--camera", "fit"}},
+
+        // Thinned and widened distant blades.
+        {"thinned", {"dunes", "--count", "10000"}, {"--camera", "edge", "--lod", "on"}},
+
+        // Debug colours.
+        {"debug_patches",
+         {"hills", "--count", "8000", "--blade-scale", "6"},
+         {"--camera", "fit", "--debug", "patches"}},
+    };
+    return all;
+}
+
+const std::vector<Scene>& furtherScenes()
+{
+    static const std::vector<Scene> all{
+        {"hills", {"hills", "--count", "10000", "--blade-scale", "6"}, {"--camera", "fit"}},
+        {"hills_for_cpu",
+         {"hills", "--count", "10000", "--blade-scale", "4"},
+         {"--camera", "eye", "--raster-for", "cpu", "--samples", "1"}},
+        {"arch", {"arch", "--count", "8000", "--blade-scale", "4"}, {"--camera", "fit"}},
+
+        // The field of wind_frame_60 at rest.
+        {"wind_frame_0",
+         {"plane", "--count", "5000", "--blade-scale", "4"},
+         {"--camera", "edge", "--wind-strength", "6", "--frames", "0:0"}},
+
+        // With those of scenes() every built-in species with organs is in a picture.
         plantsOf("dunes", "2", {"marram in flower"}, {"marram"}),
         plantsOf("daisies", "6",
                  {"clover", "daisy", "white clover flower", "plantain", "dandelion",
@@ -73,26 +97,16 @@ const std::vector<Scene>& scenes()
                  {"lawn"}),
         plantsOf("alpine", "6", {"arnica", "aster", "gentian", "anemone", "globeflower", "bent"},
                  {"fescue", "mat-grass"}),
-        plantsOf("marsh", "1.6", {"bulrush", "cotton-grass", "marsh marigold", "iris", "fern"},
-                 {"sedge", "moor-grass"}),
         plantsOf("prairie", "2.2",
                  {"switchgrass", "coneflower", "black-eyed susan", "blazing star", "wild rye"},
                  {"bluestem", "little bluestem"}),
 
-        // No blades: only ground and sky.
-        {"empty", {"plane", "--slope", "45:90", "--density", "10"}, {"--camera", "fit"}},
-
-        // Thinned and widened distant blades, and all blades.
-        {"thinned", {"dunes", "--count", "10000"}, {"--camera", "edge", "--lod", "on"}},
+        // All blades of the field "thinned".
         {"not_thinned", {"dunes", "--count", "10000"}, {"--camera", "edge", "--lod", "off"}},
 
-        // Debug colours.
         {"debug_wind",
          {"sphere", "--count", "8000", "--blade-scale", "4"},
          {"--camera", "fit", "--debug", "wind", "--frames", "60:60"}},
-        {"debug_patches",
-         {"hills", "--count", "8000", "--blade-scale", "6"},
-         {"--camera", "fit", "--debug", "patches"}},
     };
     return all;
 }

@@ -12,8 +12,11 @@ struct Scene {
     std::vector<std::string> render; ///< arguments of `sward-view render`, without files and size
 };
 
-/// All of them. MESHES/ and CAMERAS/ at the beginning of an argument stand for the folders
-/// assets/meshes and tests/golden/cameras.
+/// One for each kind of ground, geometry, plant and colour. MESHES/ and CAMERAS/ at the beginning
+/// of an argument stand for the folders assets/meshes and tests/golden/cameras.
 const std::vector<Scene>& scenes();
+
+/// The others: more of the same kinds. They are long.
+const std::vector<Scene>& furtherScenes();
 
 } // namespace sward::golden
