@@ -42,7 +42,7 @@ def words_of(path):
     return (bytes_[..., 0] << 8 | bytes_[..., 1]).squeeze()
 
 
-class Layers(unittest.TestCase):
+class LayersCase(unittest.TestCase):
     @classmethod
     def setUpClass(cls):
         folder = tempfile.TemporaryDirectory(prefix="sward-layers-")
@@ -64,6 +64,8 @@ class Layers(unittest.TestCase):
         return cls.run_program(VIEWER, "render", *fields, "--size", f"{WIDTH}x{HEIGHT}", "--samples", "1",
                                "--camera", "eye", "--wind-strength", "4", *arguments, code=code)
 
+
+class Layers(LayersCase):
     def test_arrays_have_their_forms(self):
         forms = {"color": ("f2", 3), "depth": ("f4", 0), "planar-depth": ("f4", 0), "normal": ("f2", 3),
                  "albedo": ("f2", 3), "id": ("u8", 0), "plant": ("u8", 0), "species": ("u1", 0), "patch": ("u4", 0),
@@ -128,12 +130,6 @@ class Layers(unittest.TestCase):
         self.assertTrue((words_of(self.folder / "f.class.png") == self.arrays["class"]).all())
         self.assertFalse((self.folder / "f.albedo.png").exists())
 
-    def test_layers_leave_the_picture_as_it_is(self):
-        self.render("-o", "p_%d.png", "--frames", "0:2")
-        self.render("-o", "l_%d.png", "--frames", "0:2", "--layers", "flow-forward,id")
-        for frame in range(3):
-            self.assertEqual((self.folder / f"p_{frame}.png").read_bytes(), (self.folder / f"l_{frame}.png").read_bytes())
-
     def test_ids_tell_the_fields_apart_that_are_drawn_together(self):
         self.run_program(SWARD, "bake", "plane", "--scale", "0.2", "--count", "200", "--blade-scale", "1", "-o", "g.sward")
         self.render("-o", "two.npz", "--layers", "id", fields=("f.sward", "g.sward"))
@@ -145,6 +141,16 @@ class Layers(unittest.TestCase):
         self.assertIn("--reference", self.render("-o", "x.exr", "--layers", "id", "--reference", code=1).stderr)
         self.render("-o", "x.npz", "--layers", "id", "--geometry", "tessellation", code=5)
         self.assertEqual(list(self.folder.glob("x.*")), [])
+
+
+class LongLayers(LayersCase):
+    """gpu.frame.LayersTest says the same of the renderer."""
+
+    def test_layers_leave_the_picture_as_it_is(self):
+        self.render("-o", "p_%d.png", "--frames", "0:2")
+        self.render("-o", "l_%d.png", "--frames", "0:2", "--layers", "flow-forward,id")
+        for frame in range(3):
+            self.assertEqual((self.folder / f"p_{frame}.png").read_bytes(), (self.folder / f"l_{frame}.png").read_bytes())
 
 
 if __name__ == "__main__":
