@@ -4,6 +4,7 @@ The table below is the one of ARCHITECTURE.md. A library that needs a new arrow 
 open, or not at all.
 """
 
+import functools
 import re
 import sys
 import tempfile
@@ -149,28 +150,33 @@ def target_of(root, kind, header):
     return "std" if re.fullmatch(r"[a-z_0-9]+|std(bool|def|int)\.h", header) else None
 
 
+@functools.cache
 def includes_of(file):
     """(line, kind, header) of each include of a file."""
-    for number, line in enumerate(file.read_text(encoding="utf-8").splitlines(), 1):
-        if found := INCLUDE.match(line):
-            yield number, *found.groups()
+    return [(number, *found.groups()) for number, line in enumerate(file.read_text(encoding="utf-8").splitlines(), 1)
+            if (found := INCLUDE.match(line))]
 
 
+@functools.cache
 def file_of(root, header):
     """The path of our own header, relative to the root; None if there is none."""
     return next((base + header for base in ("", "src/") if (root / (base + header)).is_file()), None)
 
 
-def carried_by(root, header, seen=None):
+@functools.cache
+def carried_by(root, header):
     """Third parties that our own header passes on, through other headers too."""
-    seen = set() if seen is None else seen
-    path = file_of(root, header)
-    if path is None or path in seen:
-        return set()
-    seen.add(path)
-    carried = set()
-    for _, kind, inner in includes_of(root / path):
-        carried |= carried_by(root, inner, seen) if kind == '"' else {target_of(root, kind, inner)}
+    carried, seen, todo = set(), set(), [header]
+    while todo:
+        path = file_of(root, todo.pop())
+        if path is None or path in seen:
+            continue
+        seen.add(path)
+        for _, kind, inner in includes_of(root / path):
+            if kind == '"':
+                todo.append(inner)
+            else:
+                carried.add(target_of(root, kind, inner))
     return carried
 
 
@@ -211,6 +217,9 @@ def wrong_folder(path, included, library):
 
 def forbidden_arrows(root):
     """All offences below `root`, as file:line: reason; and the number of includes that were read."""
+    # Files may have changed since the last call.
+    for known in (includes_of, file_of, carried_by):
+        known.cache_clear()
     offences, count = [], 0
     for top in ("terrain", "src", "shaders"):
         for file in sorted((root / top).rglob("*")):
