@@ -14,13 +14,13 @@ namespace {
 
 constexpr VkBufferUsageFlags copied =
     VK_BUFFER_USAGE_TRANSFER_SRC_BIT | VK_BUFFER_USAGE_TRANSFER_DST_BIT;
-constexpr std::uint64_t seed = 20'240'607;
+constexpr std::uint64_t bufferSeed = 20'240'607;
 
 std::vector<std::uint8_t> randomBytes(std::size_t count)
 {
     std::vector<std::uint8_t> bytes(count);
     for (std::size_t i = 0; i < count; ++i)
-        bytes[i] = static_cast<std::uint8_t>(hashBits(seed, i));
+        bytes[i] = static_cast<std::uint8_t>(hashBits(bufferSeed, i));
     return bytes;
 }
 

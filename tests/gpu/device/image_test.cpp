@@ -21,7 +21,7 @@ namespace {
 
 constexpr VkImageUsageFlags textureUsage =
     VK_IMAGE_USAGE_SAMPLED_BIT | VK_IMAGE_USAGE_TRANSFER_SRC_BIT | VK_IMAGE_USAGE_TRANSFER_DST_BIT;
-constexpr std::uint64_t seed = 4'711;
+constexpr std::uint64_t imageSeed = 4'711;
 
 class ImageTest : public test::GpuTest {
 protected:
@@ -49,7 +49,7 @@ std::vector<std::byte> randomPixels(VkFormat format, VkExtent2D extent)
     std::vector<std::byte> pixels(std::size_t(extent.width) * extent.height *
                                   bytesPerPixel(format));
     for (std::size_t i = 0; i < pixels.size(); ++i)
-        pixels[i] = static_cast<std::byte>(hashBits(seed, i) & 0xff);
+        pixels[i] = static_cast<std::byte>(hashBits(imageSeed, i) & 0xff);
     return pixels;
 }
 
@@ -62,7 +62,7 @@ TEST_F(ImageTest, GivesBackWhatWasUploaded)
         const std::vector<std::byte> pixels = randomPixels(format, extent);
         upload(image, pixels);
         EXPECT_EQ(readImage(context(), image, ImageUse::sampled), pixels)
-            << "format " << format << ", seed " << seed;
+            << "format " << format << ", seed " << imageSeed;
     }
 }
 
@@ -135,7 +135,7 @@ TEST_F(ImageTest, ReachesShadersThroughAnImageSet)
     const VkExtent2D extent{16, 8};
     std::vector<float> numbers(extent.width * extent.height);
     for (std::size_t i = 0; i < numbers.size(); ++i)
-        numbers[i] = static_cast<float>(uniform(seed, i, 0));
+        numbers[i] = static_cast<float>(uniform(imageSeed, i, 0));
     const Image first = createTexture(VK_FORMAT_R32_SFLOAT, extent, 1);
     const Image second = createTexture(VK_FORMAT_R8_UNORM, {2, 2}, 2);
     const std::array<std::uint8_t, 4> four = {0, 100, 100, 200};

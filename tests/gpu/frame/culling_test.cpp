@@ -22,20 +22,20 @@
 namespace sward::render {
 namespace {
 
-constexpr std::uint64_t seed = 41;
-constexpr glm::uvec2 size(320, 180);
+constexpr std::uint64_t cullingSeed = 41;
+constexpr glm::uvec2 cullingSize(320, 180);
 
 /// Cameras in and around a cube of 10 m.
-Camera randomCamera(std::uint64_t index)
+Camera cullingCamera(std::uint64_t index)
 {
     const auto at = [index](double reach, std::uint32_t dimension) {
-        return reach * (2.0 * uniform(seed, index, dimension) - 1.0);
+        return reach * (2.0 * uniform(cullingSeed, index, dimension) - 1.0);
     };
     Camera camera;
     camera.eye = {at(9.0, 0), at(9.0, 1), at(9.0, 2)};
     camera.target = {at(5.0, 3), at(5.0, 4), at(5.0, 5)};
     camera.up = glm::vec3(glm::dvec3(at(1.0, 6), 1.0, at(1.0, 7)));
-    camera.fovY = static_cast<float>(30.0 + 60.0 * uniform(seed, index, 8));
+    camera.fovY = static_cast<float>(30.0 + 60.0 * uniform(cullingSeed, index, 8));
     // Every second camera ends inside the field, so that near and far planes also cut blades.
     if (index % 2 == 1) {
         camera.near = 1.5f;
@@ -54,7 +54,7 @@ protected:
         // Bend the blades in every direction, as after a storm.
         for (std::size_t i = 0; i < states_.size(); ++i) {
             const auto part = [i](std::uint32_t d) {
-                return static_cast<float>(1.4 * uniform(seed, i, 50 + d) - 0.7);
+                return static_cast<float>(1.4 * uniform(cullingSeed, i, 50 + d) - 0.7);
             };
             states_[i].turn = shared::packSnorm16(part(0)) | shared::packSnorm16(part(1)) << 16;
         }
@@ -69,8 +69,8 @@ protected:
         settings.lodThreshold = 2.0f;
         settings.environment.drawDistance = 8.0f;
         settings.updateRate.everyFrame = 1e6f; // at any distance
-        return frameOf({{}, content, bench_.bladeSize()}, viewMatrices(camera, {}, size, content),
-                       settings, 1.0, 1);
+        return frameOf({{}, content, bench_.bladeSize()},
+                       viewMatrices(camera, {}, cullingSize, content), settings, 1.0, 1);
     }
 
     test::UpdateBench::Result run(const shared::Frame& frame)
@@ -84,7 +84,7 @@ protected:
     }
 
     field::Field field_ =
-        test::makeField({.surface = test::Surface::cloud, .blades = 4200, .seed = seed});
+        test::makeField({.surface = test::Surface::cloud, .blades = 4200, .seed = cullingSeed});
     test::UpdateBench bench_;
     std::vector<std::uint32_t> patches_;
     std::vector<shared::BladeState> states_;
@@ -131,7 +131,7 @@ TEST_F(CullingTest, CullsAsTheCpuDoesSaveWhereRoundingDecides)
     std::size_t tested = 0;
     std::array<std::size_t, shared::cullResultCount> seen{};
     for (std::uint64_t c = 0; c < 12; ++c) {
-        const shared::Frame frame = this->frame(randomCamera(c), c % 3 == 2 ? 14u : 15u);
+        const shared::Frame frame = this->frame(cullingCamera(c), c % 3 == 2 ? 14u : 15u);
         const auto result = run(frame);
         const shared::Eyepoint view = frame.view;
 
@@ -153,7 +153,7 @@ TEST_F(CullingTest, CullsAsTheCpuDoesSaveWhereRoundingDecides)
                     continue;
                 ASSERT_TRUE(isClose(frame, drawn, states_[index], verdict))
                     << "blade " << index << " has cull result " << result.cullResults[index]
-                    << ", expected " << expected << "; camera " << c << ", seed " << seed;
+                    << ", expected " << expected << "; camera " << c << ", seed " << cullingSeed;
                 ++close;
             }
         }
@@ -172,7 +172,7 @@ TEST_F(CullingTest, CullsTheSameWhoeverTakesAPatch)
     for (const std::uint32_t groups : {1u, 2u, 5u}) {
         test::UpdateBench together(context(), field::viewOf(field_), {.groups = groups});
         for (std::uint64_t c = 0; c < 4; ++c) {
-            const shared::Frame frame = this->frame(randomCamera(c), c == 0 ? 0u : 15u);
+            const shared::Frame frame = this->frame(cullingCamera(c), c == 0 ? 0u : 15u);
             const auto expected = run(frame);
             const auto result =
                 together.run(frame, FrameSettings(), states_, 0.0f, UpdateCullPass::Scope::visible);
@@ -204,7 +204,7 @@ TEST_F(CullingTest, CullsTheSameByAShaderThatKnowsWhatIsAsked)
         for (std::uint32_t i = 0; i < 6; ++i) {
             // Each test alone, none, and all; with and without level of detail and layers.
             shared::Frame frame =
-                this->frame(randomCamera(i), std::array{1u, 2u, 4u, 8u, 0u, 15u}[i]);
+                this->frame(cullingCamera(i), std::array{1u, 2u, 4u, 8u, 0u, 15u}[i]);
             frame.view.lodThreshold *= i % 2 == 0 ? 0.0f : 1.0f;
             frame.view.maxLeafArea = i % 3 == 0 ? 0.0f : 1e-3f;
             const auto run = [&](test::UpdateBench& bench) {
@@ -230,7 +230,7 @@ TEST_F(CullingTest, CullsTheSameByAShaderThatKnowsWhatIsAsked)
 TEST_F(CullingTest, ListsExactlyTheDrawnBladesEachOnce)
 {
     for (std::uint64_t c = 0; c < 6; ++c) {
-        const auto result = run(frame(randomCamera(c), c == 0 ? 0u : 15u));
+        const auto result = run(frame(cullingCamera(c), c == 0 ? 0u : 15u));
         std::set<std::uint32_t> listed;
         for (const shared::VisibleBlade& visible : result.visible) {
             ASSERT_TRUE(listed.insert(visible.blade).second) << "blade " << visible.blade;
@@ -250,7 +250,7 @@ TEST_F(CullingTest, ListsExactlyTheDrawnBladesEachOnce)
 TEST_F(CullingTest, CountsAddUpToAllBladesForEveryMask)
 {
     for (std::uint32_t mask = 0; mask < 16; ++mask) {
-        const auto result = run(frame(randomCamera(mask), mask));
+        const auto result = run(frame(cullingCamera(mask), mask));
         const std::uint64_t sum =
             std::accumulate(std::begin(result.draw.cullResults), std::end(result.draw.cullResults),
                             std::uint64_t(0));
@@ -278,7 +278,7 @@ TEST_F(CullingTest, DropsNoBladeOfWhichAPointIsInThePicture)
 {
     for (std::uint64_t c = 0; c < 12; ++c) {
         const shared::Frame frame =
-            this->frame(randomCamera(c), shared::cullPatch | shared::cullFrustum);
+            this->frame(cullingCamera(c), shared::cullPatch | shared::cullFrustum);
         const auto result = run(frame);
         for (std::size_t i = 0; i < field_.blades.size(); ++i) {
             if (result.cullResults[i] != shared::cullResultPatch &&
@@ -299,7 +299,7 @@ TEST_F(CullingTest, DropsNoBladeOfWhichAPointIsInThePicture)
                     ASSERT_FALSE(std::abs(clip.x) < w && std::abs(clip.y) < w && clip.z > 0.0f &&
                                  clip.z < w)
                         << "blade " << i << " is seen, but has cull result "
-                        << result.cullResults[i] << "; camera " << c << ", seed " << seed;
+                        << result.cullResults[i] << "; camera " << c << ", seed " << cullingSeed;
                 }
             }
         }

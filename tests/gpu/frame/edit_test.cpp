@@ -77,12 +77,6 @@ std::size_t plainlyDiffering(const std::vector<std::byte>& a, const std::vector<
     return differing;
 }
 
-std::uint64_t sumOf(const FrameStats& s)
-{
-    return s.drawn + s.lod + s.culledPatch + s.culledOrientation + s.culledFrustum +
-           s.culledDistance + s.culledOcclusion;
-}
-
 class EditTest : public test::GpuTest, public testing::WithParamInterface<Way> {};
 
 TEST_P(EditTest, DrawsTheFieldJoinedAnew)
@@ -121,7 +115,7 @@ TEST_P(EditTest, DrawsTheFieldJoinedAnew)
         expected.draw(fresh, overMeadow(), calm(), time);
         EXPECT_LE(plainlyDiffering(pixels, expected.pixels()), 20u);
         EXPECT_EQ(edited.stats().total, whole.blades.size());
-        EXPECT_EQ(sumOf(edited.stats()), whole.blades.size());
+        EXPECT_EQ(test::sumOf(edited.stats()), whole.blades.size());
         EXPECT_NEAR(double(edited.stats().drawn), double(fresh.stats().drawn), 2.0);
         before = pixels;
         const auto states = byId(edited, whole);
@@ -265,7 +259,7 @@ TEST_P(EditTest, GoesOnWithSeveralFramesInFlight)
         const gpu::FrameRing::Frame frame = ring.begin();
         if (i >= wanted.framesInFlight) {
             const FrameStats stats = renderer.stats(frame.slot);
-            EXPECT_EQ(sumOf(stats), stats.total) << "frame " << i;
+            EXPECT_EQ(test::sumOf(stats), stats.total) << "frame " << i;
         }
         if (i % 2 == 0) {
             meadow.sowSome(i);

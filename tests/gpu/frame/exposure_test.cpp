@@ -20,8 +20,8 @@
 namespace sward::render {
 namespace {
 
-constexpr glm::uvec2 size(128, 72);
-constexpr float side = 14.0f; ///< [m] of the flat fields
+constexpr glm::uvec2 exposureSize(128, 72);
+constexpr float exposureSide = 14.0f; ///< [m] of the flat fields
 
 /// What a picture without sky shows.
 struct Light {
@@ -34,7 +34,7 @@ protected:
     /// A closed sward with these linear colours of roots and tips over a ground of one colour.
     static field::Field meadow(glm::vec3 root, glm::vec3 tip, float ground)
     {
-        field::Field field = test::makeField({.blades = 120'000, .extent = side});
+        field::Field field = test::makeField({.blades = 120'000, .extent = exposureSide});
         field.species[0].look.rootColor = root;
         field.species[0].look.tipColor = tip;
         field.ground.materials[0].baseColor = glm::vec4(ground, ground, ground, 1.0f);
@@ -44,7 +44,7 @@ protected:
     static field::Field bare(float ground)
     {
         field::Field field = test::emptyField();
-        field.ground = test::planeGround(side);
+        field.ground = test::planeGround(exposureSide);
         field.ground.materials[0].baseColor = glm::vec4(ground, ground, ground, 1.0f);
         return field;
     }
@@ -60,7 +60,7 @@ protected:
     {
         field::Field field = meadow({0.03f, 0.06f, 0.015f}, {0.12f, 0.26f, 0.045f}, ground);
         const shared::GroundMaterial material = field.ground.materials[0];
-        field.ground = test::planeGround(wider * side);
+        field.ground = test::planeGround(wider * exposureSide);
         field.ground.materials[0] = material;
         return field;
     }
@@ -79,7 +79,7 @@ protected:
         camera.eye = eye;
         camera.target = eye - glm::dvec3(4.0, 2.6, 4.0);
         camera.fovY = 30.0f;
-        test::Picture picture(context(), size);
+        test::Picture picture(context(), exposureSize);
         picture.draw(renderer, camera, settings, 0.0);
         const std::vector<std::byte> pixels = picture.pixels();
         Light light;
@@ -157,7 +157,7 @@ TEST_F(ExposureTest, FewBladesDoNotDecide)
     const Light seen = lightOf(sand);
     EXPECT_GT(seen.mean, 0.25);
     EXPECT_LT(seen.mean, 0.6);
-    field::Field few = test::makeField({.blades = 20, .extent = side});
+    field::Field few = test::makeField({.blades = 20, .extent = exposureSide});
     few.ground.materials[0].baseColor = sand.ground.materials[0].baseColor;
     EXPECT_NEAR(exposureOf(few) / exposureOf(sand), 1.0f, 0.1f);
 }

@@ -24,7 +24,7 @@ using presentation::skyColorAt;
 using presentation::sunColorAt;
 using presentation::sunTowards;
 
-constexpr glm::uvec2 size(160, 90);
+constexpr glm::uvec2 lookSize(160, 90);
 
 struct Rgb {
     int r, g, b;
@@ -32,7 +32,7 @@ struct Rgb {
 
 Rgb at(const std::vector<std::byte>& pixels, std::uint32_t x, std::uint32_t y)
 {
-    const std::byte* const first = pixels.data() + 4 * (std::size_t(y) * size.x + x);
+    const std::byte* const first = pixels.data() + 4 * (std::size_t(y) * lookSize.x + x);
     return {std::to_integer<int>(first[0]), std::to_integer<int>(first[1]),
             std::to_integer<int>(first[2])};
 }
@@ -67,7 +67,7 @@ protected:
         return picture.pixels();
     }
 
-    test::Picture picture{context(), size};
+    test::Picture picture{context(), lookSize};
 };
 
 /// Bare ground seen from above, so that a metre has the same width everywhere.
@@ -96,13 +96,13 @@ TEST_F(LookTest, ColliderIsDrawnWhereItIs)
     scene.settings.colliders = {ball, capsule};
     const auto after = draw(scene);
 
-    const ViewMatrices view = viewMatrices(scene.camera, {}, size, {});
+    const ViewMatrices view = viewMatrices(scene.camera, {}, lookSize, {});
     const glm::mat4 toWorld = glm::inverse(view.viewProjection);
     int inside = 0;
-    for (std::uint32_t y = 0; y < size.y; ++y)
-        for (std::uint32_t x = 0; x < size.x; ++x) {
+    for (std::uint32_t y = 0; y < lookSize.y; ++y)
+        for (std::uint32_t x = 0; x < lookSize.x; ++x) {
             // Distance of the pixel's ray to each collider's centre.
-            const glm::vec2 clip = 2.0f * (glm::vec2(x, y) + 0.5f) / glm::vec2(size) - 1.0f;
+            const glm::vec2 clip = 2.0f * (glm::vec2(x, y) + 0.5f) / glm::vec2(lookSize) - 1.0f;
             const glm::vec4 p = toWorld * glm::vec4(clip, 0.5f, 1.0f);
             const glm::vec3 ray = glm::normalize(glm::vec3(p) / p.w - view.eye);
             const glm::vec3 place = view.eye + ray * ((0.5f - view.eye.y) / ray.y);
@@ -144,9 +144,9 @@ TEST_F(LookTest, ColliderShadesTheGroundAndTakesItsShadowWithIt)
     ball.path = {{0.0, glm::dvec3(0.0)}, {1.0, glm::dvec3(0.0)}, {2.0, {0.0, 0.0, 3.0}}};
     scene.settings.colliders = {ball};
     const auto darkAt = [&](const std::vector<std::byte>& pixels, glm::vec3 place) {
-        const ViewMatrices view = viewMatrices(scene.camera, {}, size, {});
+        const ViewMatrices view = viewMatrices(scene.camera, {}, lookSize, {});
         const glm::vec4 clip = view.viewProjection * glm::vec4(place, 1.0f);
-        const glm::uvec2 p((0.5f + 0.5f * glm::vec2(clip) / clip.w) * glm::vec2(size));
+        const glm::uvec2 p((0.5f + 0.5f * glm::vec2(clip) / clip.w) * glm::vec2(lookSize));
         return luminanceOf(at(pixels, p.x, p.y)) < 0.7 * luminanceOf(at(before, p.x, p.y));
     };
     // The collider is two metres up and the sun at 45°: the shadow is two metres to the left.
@@ -200,11 +200,11 @@ std::array<double, 8> radialMeans(const std::vector<std::byte>& pixels, std::uin
 {
     std::array<double, 8> sums{};
     for (std::size_t band = 0; band < sums.size(); ++band) {
-        const auto rows = (size.y - horizon) / static_cast<std::uint32_t>(sums.size());
+        const auto rows = (lookSize.y - horizon) / static_cast<std::uint32_t>(sums.size());
         const auto first = horizon + static_cast<std::uint32_t>(band) * rows;
         for (std::uint32_t y = first; y < first + rows; ++y)
-            for (std::uint32_t x = 0; x < size.x; ++x)
-                sums[band] += luminanceOf(at(pixels, x, y)) / (rows * size.x);
+            for (std::uint32_t x = 0; x < lookSize.x; ++x)
+                sums[band] += luminanceOf(at(pixels, x, y)) / (rows * lookSize.x);
     }
     return sums;
 }
@@ -221,9 +221,9 @@ TEST_F(LookTest, GrassIsAsBrightAsTheReferenceAtEveryDistance)
     scene.camera.eye = {0.0, 3.0, 29.0};
     scene.camera.target = {0.0, 0.0, 15.0};
     scene.camera.fovY = 40.0f;
-    const ViewMatrices view = viewMatrices(scene.camera, {}, size, {});
+    const ViewMatrices view = viewMatrices(scene.camera, {}, lookSize, {});
     const glm::vec4 rim = view.viewProjection * glm::vec4(0.0f, 0.0f, -29.0f, 1.0f);
-    const auto horizon = static_cast<std::uint32_t>((0.5f + 0.5f * rim.y / rim.w) * size.y) + 1;
+    const auto horizon = static_cast<std::uint32_t>((0.5f + 0.5f * rim.y / rim.w) * lookSize.y) + 1;
 
     FrameSettings everything = scene.settings;
     everything.cullMask = 0;
@@ -311,8 +311,8 @@ TEST(Look, ExposureFollowsALowSunByHalfOfTheStopsUnlessItIsSet)
     using presentation::adaptationAt;
     EXPECT_EQ(adaptationAt(60.0), 1.0f);
     const glm::vec3 weights(0.2126f, 0.7152f, 0.0722f);
-    const float ground = glm::dot(weights, groundColorAt(10.0)) /
-                         glm::dot(weights, FrameSettings().groundColor);
+    const float ground =
+        glm::dot(weights, groundColorAt(10.0)) / glm::dot(weights, FrameSettings().groundColor);
     EXPECT_NEAR(adaptationAt(10.0), 1.0f / std::sqrt(ground), 1e-5f);
     for (double elevation = 60.0; elevation > -20.0; elevation -= 4.0)
         EXPECT_LE(adaptationAt(elevation), adaptationAt(elevation - 4.0)) << elevation;
@@ -361,11 +361,11 @@ TEST_F(LookTest, AirThinsWithHeight)
     scene.camera.eye = {0.0, 100.0, 0.0};
     scene.camera.target = {0.0, 0.0, 1.0};
     scene.camera.far = 500.0f;
-    const Rgb thick = at(draw(scene), size.x / 2, size.y / 2);
+    const Rgb thick = at(draw(scene), lookSize.x / 2, lookSize.y / 2);
     scene.settings.fogHeight = 2.0f;
-    const Rgb shallow = at(draw(scene), size.x / 2, size.y / 2);
+    const Rgb shallow = at(draw(scene), lookSize.x / 2, lookSize.y / 2);
     scene.settings.fogDensity = 0.0f;
-    const Rgb clear = at(draw(scene), size.x / 2, size.y / 2);
+    const Rgb clear = at(draw(scene), lookSize.x / 2, lookSize.y / 2);
     EXPECT_GT(luminanceOf(thick), 3.0 * luminanceOf(clear));
     // A tenth of the light is lost in 0.05/m · 2 m.
     EXPECT_LT(luminanceOf(shallow) - luminanceOf(clear),

@@ -18,9 +18,9 @@ namespace sward::render {
 namespace {
 
 constexpr std::size_t rings = 8;
-constexpr glm::uvec2 size(128, 80);
-constexpr float side = 40.0f;   ///< [m] of the flat field
-constexpr double nearest = 2.5; ///< [m] from the eye's foot to the first ring
+constexpr glm::uvec2 luminanceSize(128, 80);
+constexpr float luminanceSide = 40.0f; ///< [m] of the flat field
+constexpr double nearest = 2.5;        ///< [m] from the eye's foot to the first ring
 /// [m] Blades are 0.06 pixels wide there, one in five is drawn. Nearer to the far edge the sky
 /// enters the filter of soft pixels.
 constexpr double farthest = 26.0;
@@ -36,14 +36,16 @@ std::optional<std::size_t> ringAt(const Camera& camera, double x, double y)
     const glm::dvec3 right = glm::normalize(glm::cross(ahead, glm::dvec3(0.0, 1.0, 0.0)));
     const glm::dvec3 above = glm::cross(right, ahead);
     const double slope = std::tan(0.5 * double(camera.fovY) * 3.14159265358979 / 180.0);
-    const glm::dvec3 ray =
-        ahead + (2.0 * x - 1.0) * slope * size.x / size.y * right + (1.0 - 2.0 * y) * slope * above;
+    const glm::dvec3 ray = ahead +
+                           (2.0 * x - 1.0) * slope * luminanceSize.x / luminanceSize.y * right +
+                           (1.0 - 2.0 * y) * slope * above;
     if (ray.y >= 0.0)
         return std::nullopt;
     const glm::dvec3 ground = camera.eye - camera.eye.y / ray.y * ray;
     const double distance = std::hypot(ground.x - camera.eye.x, ground.z - camera.eye.z);
     const double ring = rings * std::log(distance / nearest) / std::log(farthest / nearest);
-    const bool isInside = std::abs(ground.x) < 0.5 * side && std::abs(ground.z) < 0.5 * side;
+    const bool isInside =
+        std::abs(ground.x) < 0.5 * luminanceSide && std::abs(ground.z) < 0.5 * luminanceSide;
     if (ring < 0.0 || ring >= double(rings) || !isInside)
         return std::nullopt;
     return std::size_t(ring);
@@ -55,10 +57,11 @@ void add(Rings& sums, const Camera& camera, const std::vector<std::byte>& pixels
     const auto linear = [](std::byte value) {
         return double(linearOf(float(std::to_integer<int>(value)) / 255.0f));
     };
-    for (std::uint32_t y = 0; y < size.y; ++y)
-        for (std::uint32_t x = 0; x < size.x; ++x)
-            if (const auto ring = ringAt(camera, (x + 0.5) / size.x, (y + 0.5) / size.y)) {
-                const std::size_t i = 4 * (std::size_t(y) * size.x + x);
+    for (std::uint32_t y = 0; y < luminanceSize.y; ++y)
+        for (std::uint32_t x = 0; x < luminanceSize.x; ++x)
+            if (const auto ring =
+                    ringAt(camera, (x + 0.5) / luminanceSize.x, (y + 0.5) / luminanceSize.y)) {
+                const std::size_t i = 4 * (std::size_t(y) * luminanceSize.x + x);
                 sums[*ring] +=
                     weight * (0.2126 * linear(pixels[i]) + 0.7152 * linear(pixels[i + 1]) +
                               0.0722 * linear(pixels[i + 2]));
@@ -73,12 +76,12 @@ TEST_F(LuminanceTest, StaysNearAReferenceInEachRing)
          {.samples = 4, .geometry = Geometry::raster, .rastersForCpu = false},
          {.samples = 1, .geometry = Geometry::tessellation},
          {.samples = 4, .geometry = Geometry::tessellation}}};
-    test::Picture picture(context(), size);
+    test::Picture picture(context(), luminanceSize);
     Rings wanted{};
     std::array<Rings, ways.size()> found{};
     for (std::uint64_t seed = 1; seed <= 3; ++seed) {
         const field::Field field = test::makeField({.blades = 48'000,
-                                                    .extent = side,
+                                                    .extent = luminanceSide,
                                                     .heightLow = 0.2f,
                                                     .heightHigh = 0.4f,
                                                     .widthLow = 0.01f,
@@ -88,8 +91,8 @@ TEST_F(LuminanceTest, StaysNearAReferenceInEachRing)
         settings.winds.clear();
         settings.environment.drawDistance = 1e6f;
         Camera camera;
-        camera.eye = {0.0, 2.0, 0.5 * side - 1.0};
-        camera.target = {0.0, 0.0, 0.5 * side - 7.0};
+        camera.eye = {0.0, 2.0, 0.5 * luminanceSide - 1.0};
+        camera.target = {0.0, 0.0, 0.5 * luminanceSide - 7.0};
         camera.fovY = 45.0f;
         const auto sum = [&](const FieldRenderer::Settings& way, const FrameSettings& how,
                              std::uint32_t pictures, Rings& sums) {

@@ -15,22 +15,23 @@
 namespace sward::render {
 namespace {
 
-constexpr std::uint64_t seed = 77;
+constexpr std::uint64_t occlusionSeed = 77;
 constexpr std::uint32_t visible = shared::cullPatch | shared::cullFrustum;
 
 /// Cameras around and above a ball of 10 m, and some within its grass.
-Camera randomCamera(std::uint64_t index)
+Camera occlusionCamera(std::uint64_t index)
 {
     const auto at = [index](double reach, std::uint32_t dimension) {
-        return reach * (2.0 * uniform(seed, index, dimension) - 1.0);
+        return reach * (2.0 * uniform(occlusionSeed, index, dimension) - 1.0);
     };
     glm::dvec3 direction(at(1.0, 0), at(1.0, 1), at(1.0, 2));
     direction /= std::max(glm::length(direction), 0.1);
     Camera camera;
-    camera.eye = direction * (5.1 + 6.0 * uniform(seed, index, 3) * uniform(seed, index, 4));
+    camera.eye = direction *
+                 (5.1 + 6.0 * uniform(occlusionSeed, index, 3) * uniform(occlusionSeed, index, 4));
     camera.target = glm::dvec3(at(6.0, 5), at(6.0, 6), at(6.0, 7));
     camera.up = glm::vec3(at(1.0, 8), 1.0, at(1.0, 9));
-    camera.fovY = static_cast<float>(20.0 + 80.0 * uniform(seed, index, 10));
+    camera.fovY = static_cast<float>(20.0 + 80.0 * uniform(occlusionSeed, index, 10));
     return camera;
 }
 
@@ -41,8 +42,10 @@ protected:
     /// a colour differently: a step of 255, of one pixel in fifty pictures at most.
     static void compare(std::uint32_t samples, std::uint64_t cameras, bool levelOfDetail)
     {
-        const field::Field field = test::makeField(
-            {.surface = test::Surface::sphere, .blades = 1500, .extent = 10.0f, .seed = seed});
+        const field::Field field = test::makeField({.surface = test::Surface::sphere,
+                                                    .blades = 1500,
+                                                    .extent = 10.0f,
+                                                    .seed = occlusionSeed});
         FieldRenderer::Settings wanted;
         wanted.samples = samples;
         // At equal depth the rasteriser shows the blade with the larger id. The tessellator shows
@@ -60,7 +63,7 @@ protected:
         std::uint64_t hiddenPatches = 0;
         std::size_t rounded = 0;
         for (std::uint64_t i = 0; i < cameras; ++i) {
-            const Camera camera = randomCamera(i);
+            const Camera camera = occlusionCamera(i);
             settings.cullMask = 0;
             all.draw(renderer, camera, settings, 1.0);
             settings.cullMask = visible;
@@ -190,7 +193,7 @@ TEST_F(OcclusionTest, GrassHidesGrassAndNoByteOfAnyPicture)
 /// cells, filled by the last work-group or in a separate pass.
 TEST_F(OcclusionTest, GroundThatFillsThePictureHidesWholePatches)
 {
-    field::Field field = test::makeField({.blades = 3000, .extent = 10.0f, .seed = seed});
+    field::Field field = test::makeField({.blades = 3000, .extent = 10.0f, .seed = occlusionSeed});
     for (shared::GroundVertex& vertex : field.ground.vertices)
         vertex.position.y += 2.0f;
     Camera camera;

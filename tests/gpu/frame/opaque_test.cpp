@@ -84,7 +84,13 @@ FrameSettings bareSettings(const field::Field& field)
     return settings;
 }
 
-using OpaqueTest = test::GpuTest;
+class OpaqueTest : public test::GpuTest {
+protected:
+    static void expectCrowdDrawn(std::uint32_t large, std::uint32_t middle);
+    static void expectClosed(int apart);
+};
+
+class LongOpaqueTest : public OpaqueTest {};
 
 /// Waves of squares, 40 m wide; each of `images` images covers a part.
 field::Field wavesWith(std::uint32_t images, std::uint32_t cells)
@@ -200,17 +206,14 @@ void putCrowd(field::DisplayGround& ground, std::uint32_t count, float side)
     }
 }
 
-TEST_F(OpaqueTest, DrawsWhatHasNoRoomInItsLists)
+void OpaqueTest::expectCrowdDrawn(std::uint32_t large, std::uint32_t middle)
 {
     // A metre is 24 pixels: boxes of 41 × 41 pixels, and of 10 × 10, all of them in the picture.
     // The last triangles are the nearest; they find the lists full.
     field::Field field = fieldWithoutBlades();
-    putCrowd(field.ground, shared::maxLargeTriangles + 4000, 1.4f);
-    putCrowd(field.ground, 2 * shared::maxMiddleTriangles + 4000, 0.3f);
+    putCrowd(field.ground, large, 1.4f);
+    putCrowd(field.ground, middle, 0.3f);
     endGround(field.ground);
-    // Some work-groups have more clusters than one.
-    ASSERT_GT(field.ground.indices.size() / 3,
-              std::size_t(shared::maxOpaqueGroups + 100) * shared::clusterTriangles);
     for (std::size_t i = 0; i < field.ground.vertices.size(); ++i)
         field.ground.vertices[i].color =
             0xff000000u | (0x9e3779b9u * static_cast<std::uint32_t>(i / 3) >> 8u);
@@ -232,7 +235,22 @@ TEST_F(OpaqueTest, DrawsWhatHasNoRoomInItsLists)
     EXPECT_LT(farPixels(pictures[0], pictures[1], 6), 200u * 200u / 400u);
 }
 
-TEST_F(OpaqueTest, NobodySeesThroughAClosedSurface)
+TEST_F(OpaqueTest, DrawsWhatHasNoRoomInTheListOfLargeTriangles)
+{
+    expectCrowdDrawn(shared::maxLargeTriangles + 4000, 0);
+}
+
+TEST_F(LongOpaqueTest, DrawsWhatHasNoRoomInItsLists)
+{
+    // Some work-groups have more clusters than one.
+    constexpr std::uint32_t large = shared::maxLargeTriangles + 4000;
+    constexpr std::uint32_t middle = 2 * shared::maxMiddleTriangles + 4000;
+    static_assert(large + middle > (shared::maxOpaqueGroups + 100) * shared::clusterTriangles);
+    expectCrowdDrawn(large, middle);
+}
+
+/// `apart`: from one of 24 cameras to the next that looks.
+void OpaqueTest::expectClosed(int apart)
 {
     // A sphere from inside, with triangles of all shapes: black, with a bright sky behind it.
     field::Field field = fieldWithoutBlades();
@@ -264,7 +282,7 @@ TEST_F(OpaqueTest, NobodySeesThroughAClosedSurface)
         FieldRenderer raster(device(), field::viewOf(field),
                              {.samples = samples, .geometry = Geometry::raster});
         test::Picture picture(context(), {257, 173});
-        for (int i = 0; i < 24; ++i) {
+        for (int i = 0; i < 24; i += apart) {
             Camera camera;
             const double turn = 2.0 * std::numbers::pi * i / 24.0;
             // Some cameras are near enough that the near plane cuts the surface.
@@ -282,6 +300,16 @@ TEST_F(OpaqueTest, NobodySeesThroughAClosedSurface)
             EXPECT_LT(brightest, 90) << samples << " samples, camera " << i;
         }
     }
+}
+
+TEST_F(OpaqueTest, NobodySeesThroughAClosedSurface)
+{
+    expectClosed(5);
+}
+
+TEST_F(LongOpaqueTest, NobodySeesThroughAClosedSurface)
+{
+    expectClosed(1);
 }
 
 } // namespace

@@ -18,13 +18,13 @@
 namespace sward::render {
 namespace {
 
-constexpr std::uint64_t seed = 20170226;
+constexpr std::uint64_t physicsSeed = 20170226;
 
 using PhysicsTest = test::GpuTest;
 
 float between(float low, float high, std::uint64_t index, std::uint32_t dimension)
 {
-    return low + (high - low) * static_cast<float>(uniform(seed, index, dimension));
+    return low + (high - low) * static_cast<float>(uniform(physicsSeed, index, dimension));
 }
 
 glm::vec3 direction(std::uint64_t index, std::uint32_t dimension)
@@ -142,7 +142,7 @@ protected:
                         std::uint32_t groups = 0, double epoch = 0.0)
     {
         const field::Field field =
-            test::makeField({.surface = test::Surface::cloud, .blades = 4096, .seed = seed});
+            test::makeField({.surface = test::Surface::cloud, .blades = 4096, .seed = physicsSeed});
         const field::FieldView view = field::viewOf(field);
         const std::vector<std::uint32_t> patches = field::patchOfBlades(view);
         const std::vector<shared::BladeState> before = randomStates(field.blades.size());
@@ -179,7 +179,7 @@ protected:
                 const int steps = difference(result.states[i], expected);
                 if (colliders == 0) {
                     ASSERT_LE(steps, 4) << "blade " << i << ", run " << run << ", " << elapsed
-                                        << " s, seed " << seed;
+                                        << " s, seed " << physicsSeed;
                 }
                 beyondOne += steps > 1 ? 1u : 0u;
                 touched += expected.eta > before[i].eta ? 1u : 0u;
@@ -190,7 +190,7 @@ protected:
         RecordProperty("touched", static_cast<int>(touched));
         RecordProperty("beyond_one_step", static_cast<int>(beyondOne));
         EXPECT_LE(beyondOne, allowedPerThousand * compared / 1000)
-            << compared << " compared, seed " << seed;
+            << compared << " compared, seed " << physicsSeed;
         if (colliders > 0) {
             EXPECT_GT(touched, compared / 100) << "or the colliders were not there";
         }
@@ -253,7 +253,7 @@ TEST_F(PhysicsTest, TakesTheCodeForCollidersOnlyWhereOneMayTouch)
     if (!context().isCpu())
         GTEST_SKIP() << "a GPU takes all patches together";
     const field::Field field =
-        test::makeField({.surface = test::Surface::cloud, .blades = 4096, .seed = seed});
+        test::makeField({.surface = test::Surface::cloud, .blades = 4096, .seed = physicsSeed});
     const std::vector<shared::BladeState> before(field.blades.size());
     test::UpdateBench bench(context(), field::viewOf(field));
     FrameSettings settings = randomEnvironment(1, 1);
@@ -285,7 +285,7 @@ TEST_F(PhysicsTest, TakesTheCodeForCollidersOnlyWhereOneMayTouch)
 TEST_F(PhysicsTest, LeavesAFieldAtAStandstillUntouched)
 {
     const field::Field field =
-        test::makeField({.surface = test::Surface::cloud, .blades = 1000, .seed = seed});
+        test::makeField({.surface = test::Surface::cloud, .blades = 1000, .seed = physicsSeed});
     const std::vector<shared::BladeState> before = randomStates(field.blades.size());
     test::UpdateBench bench(context(), field::viewOf(field));
     const FrameSettings settings = randomEnvironment(1, 20);

@@ -69,6 +69,12 @@ std::vector<std::byte> Picture::pixels() const
     return gpu::readImage(context_, image_, gpu::ImageUse::colorTarget);
 }
 
+std::uint64_t sumOf(const render::FrameStats& stats)
+{
+    return stats.drawn + stats.lod + stats.culledPatch + stats.culledOrientation +
+           stats.culledFrustum + stats.culledDistance + stats.culledOcclusion;
+}
+
 std::size_t differingPixels(const std::vector<std::byte>& a, const std::vector<std::byte>& b)
 {
     std::size_t count = 0;

@@ -3,12 +3,14 @@
 #include "field/field.h"
 #include "gpu/device/device.h"
 #include "gpu/memory/image.h"
+#include "render/frame/frame_stats.h"
 #include "render/layers/frame_layers.h"
 #include "render/viewer/field_renderer.h"
 
 #include <glm/vec2.hpp>
 
 #include <cstddef>
+#include <cstdint>
 #include <utility>
 #include <vector>
 
@@ -59,6 +61,9 @@ struct FieldScene {
     {
     }
 };
+
+/// Blades and ribbons of all results of culling in a frame.
+std::uint64_t sumOf(const render::FrameStats& stats);
 
 /// Pixels in which two pictures differ.
 std::size_t differingPixels(const std::vector<std::byte>& a, const std::vector<std::byte>& b);

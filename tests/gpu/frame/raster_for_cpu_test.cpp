@@ -20,7 +20,12 @@ protected:
                 field::viewOf(field),
                 {.samples = samples, .geometry = Geometry::raster, .rastersForCpu = forCpu}};
     }
+
+    static void expectLargeBladesAlike(const std::vector<int>& steps);
+    static void expectFullPicturesAlike(std::uint32_t samples, const std::vector<int>& steps);
 };
+
+class LongRasterForCpu : public RasterForCpu {};
 
 /// Shading tiles by content does not change the picture: at sizes that are no multiple of a tile,
 /// with tiles of each kind, beside colliders, and after the content changes.
@@ -55,7 +60,7 @@ TEST_F(RasterForCpu, WithoutLargeBladesEachByteIsThatOfTheOtherWay)
 }
 
 /// Draws blades that hide one another, each by one thread; the nearest are visible.
-TEST_F(RasterForCpu, LargeBladesLookAsWorkGroupsDrawThem)
+void RasterForCpu::expectLargeBladesAlike(const std::vector<int>& steps)
 {
     const field::Field field = test::thicket();
     const FrameSettings settings = FrameSettings::of(field::viewOf(field));
@@ -63,7 +68,7 @@ TEST_F(RasterForCpu, LargeBladesLookAsWorkGroupsDrawThem)
     FieldRenderer forGpu = rendererOf(field, 1, false);
     FieldRenderer forCpu = rendererOf(field, 1, true);
     test::Picture picture(context(), size);
-    for (int step = 0; step < 6; ++step) {
+    for (const int step : steps) {
         picture.draw(forGpu, test::onTheWay(step), settings, 1.0);
         const auto expected = picture.pixels();
         picture.draw(forCpu, test::onTheWay(step), settings, 1.0);
@@ -74,24 +79,43 @@ TEST_F(RasterForCpu, LargeBladesLookAsWorkGroupsDrawThem)
     }
 }
 
+TEST_F(RasterForCpu, LargeBladesLookAsWorkGroupsDrawThem)
+{
+    expectLargeBladesAlike({0, 3});
+}
+
+TEST_F(LongRasterForCpu, LargeBladesLookAsWorkGroupsDrawThem)
+{
+    expectLargeBladesAlike({0, 1, 2, 3, 4, 5});
+}
+
 /// CPU lanes share a thread's local memory: each of these blades fits.
-TEST_F(RasterForCpu, LosesNothingOfBladesThatFillThePicture)
+void RasterForCpu::expectFullPicturesAlike(std::uint32_t samples, const std::vector<int>& steps)
 {
     const field::Field field = test::thicket();
     const FrameSettings settings = FrameSettings::of(field::viewOf(field));
     constexpr glm::uvec2 size{1280, 720};
     test::Picture picture(context(), size);
-    for (const std::uint32_t samples : {1u, 4u}) {
-        FieldRenderer forGpu = rendererOf(field, samples, false);
-        FieldRenderer forCpu = rendererOf(field, samples, true);
-        for (const int step : samples == 1 ? std::vector{0, 2} : std::vector{1}) {
-            picture.draw(forGpu, test::onTheWay(step), settings, 1.0);
-            const auto expected = picture.pixels();
-            picture.draw(forCpu, test::onTheWay(step), settings, 1.0);
-            EXPECT_LT(test::differingPixels(expected, picture.pixels()), size.x * size.y / 1000)
-                << samples << " samples, step " << step;
-        }
+    FieldRenderer forGpu = rendererOf(field, samples, false);
+    FieldRenderer forCpu = rendererOf(field, samples, true);
+    for (const int step : steps) {
+        picture.draw(forGpu, test::onTheWay(step), settings, 1.0);
+        const auto expected = picture.pixels();
+        picture.draw(forCpu, test::onTheWay(step), settings, 1.0);
+        EXPECT_LT(test::differingPixels(expected, picture.pixels()), size.x * size.y / 1000)
+            << samples << " samples, step " << step;
     }
+}
+
+TEST_F(RasterForCpu, LosesNothingOfBladesThatFillThePicture)
+{
+    expectFullPicturesAlike(4, {1});
+}
+
+TEST_F(LongRasterForCpu, LosesNothingOfBladesThatFillThePicture)
+{
+    expectFullPicturesAlike(1, {0, 2});
+    expectFullPicturesAlike(4, {1});
 }
 
 TEST_F(RasterForCpu, IsWhatACpuDeviceDoesByItself)

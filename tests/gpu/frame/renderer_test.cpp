@@ -24,8 +24,8 @@
 namespace sward::render {
 namespace {
 
-constexpr std::uint64_t seed = 5;
-constexpr glm::vec3 up(0.0f, 1.0f, 0.0f);
+constexpr std::uint64_t rendererSeed = 5;
+constexpr glm::vec3 rendererUp(0.0f, 1.0f, 0.0f);
 
 FieldRenderer::Settings oneSample()
 {
@@ -35,12 +35,6 @@ FieldRenderer::Settings oneSample()
     return settings;
 }
 
-std::uint64_t sumOf(const FrameStats& s)
-{
-    return s.drawn + s.lod + s.culledPatch + s.culledOrientation + s.culledFrustum +
-           s.culledDistance + s.culledOcclusion;
-}
-
 class RendererTest : public test::GpuTest {
 protected:
     struct Scene : test::FieldScene {
@@ -48,13 +42,13 @@ protected:
             : FieldScene(device, std::move(made), wanted)
         {
             camera = presentation::presetCamera(presentation::CameraPreset::fit,
-                                                field::viewOf(field), up, 1.6f);
+                                                field::viewOf(field), rendererUp, 1.6f);
         }
     };
 
     static Scene meadow(std::size_t blades, FieldRenderer::Settings wanted = oneSample())
     {
-        return {device(), test::makeField({.blades = blades, .extent = 3.0f, .seed = seed}),
+        return {device(), test::makeField({.blades = blades, .extent = 3.0f, .seed = rendererSeed}),
                 wanted};
     }
 };
@@ -84,7 +78,7 @@ TEST_F(RendererTest, DrawsSkyGroundAndBladesOneAfterTheOther)
         ASSERT_EQ(sky[i], std::byte{255});
     EXPECT_EQ(nothing.renderer.stats().total, 0u);
     EXPECT_GT(scene.renderer.stats().drawn, 500u);
-    EXPECT_EQ(sumOf(scene.renderer.stats()), scene.renderer.stats().resident);
+    EXPECT_EQ(test::sumOf(scene.renderer.stats()), scene.renderer.stats().resident);
 }
 
 TEST_F(RendererTest, DrawsTheSamePictureOfTheSameMomentTwice)
@@ -134,7 +128,7 @@ TEST_F(RendererTest, DrawsTheSameInRoundsAsAtOnce)
     EXPECT_GT(stats[0].drawn, 1000u);
     EXPECT_EQ(stats[0].drawn, stats[1].drawn);
     EXPECT_EQ(stats[0].simulated, stats[1].simulated);
-    EXPECT_EQ(sumOf(stats[1]), stats[1].resident);
+    EXPECT_EQ(test::sumOf(stats[1]), stats[1].resident);
     // The savings are the shorter list of a round.
     EXPECT_LT(bytes[1] + 1000 * sizeof(shared::VisibleBlade), bytes[0]);
 }
@@ -188,7 +182,7 @@ TEST_F(RendererTest, TakesStepsOfAnyLength)
     test::Picture picture(context(), {64, 40});
     for (const double time : {1.0, 1.0, 6.0, 6.001, 3606.0, 3606.0}) {
         picture.draw(scene.renderer, scene.camera, scene.settings, time);
-        EXPECT_EQ(sumOf(scene.renderer.stats()), 600u);
+        EXPECT_EQ(test::sumOf(scene.renderer.stats()), 600u);
         for (const FieldRenderer::BladeRecord& blade :
              scene.renderer.dumpBlades(field::viewOf(scene.field))) {
             // The tip is above the ground, and the blade as long as it is baked.
@@ -201,9 +195,10 @@ TEST_F(RendererTest, TakesStepsOfAnyLength)
 
 TEST_F(RendererTest, KeepsEveryBladeAsLongAsItWasBaked)
 {
-    Scene scene{device(),
-                test::makeField({.surface = test::Surface::cloud, .blades = 1000, .seed = seed}),
-                oneSample()};
+    Scene scene{
+        device(),
+        test::makeField({.surface = test::Surface::cloud, .blades = 1000, .seed = rendererSeed}),
+        oneSample()};
     scene.settings.cullMask = 0;
     scaleWind(scene.settings.winds, 9.0f);
     test::Picture picture(context(), {16, 16});
@@ -242,13 +237,13 @@ TEST_F(RendererTest, FrustumCullingChangesNoPixel)
                                  .extent = 2.0f,
                                  .heightHigh = 1.2f,
                                  .widthHigh = 0.12f,
-                                 .seed = seed}),
+                                 .seed = rendererSeed}),
                 exact};
     test::Picture picture(context(), {48, 27});
     std::uint64_t culled = 0;
     for (std::uint64_t c = 0; c < 120; ++c) {
         const auto at = [c](double reach, std::uint32_t d) {
-            return reach * (2.0 * uniform(seed, c, d) - 1.0);
+            return reach * (2.0 * uniform(rendererSeed, c, d) - 1.0);
         };
         // Mostly among the blades, where the picture's edge cuts them.
         scene.camera.eye = {at(2.2, 0), at(2.2, 1), at(2.2, 2)};
@@ -259,7 +254,7 @@ TEST_F(RendererTest, FrustumCullingChangesNoPixel)
         scene.settings.cullMask = shared::cullPatch | shared::cullFrustum;
         picture.draw(scene.renderer, scene.camera, scene.settings, 1.0);
         ASSERT_EQ(test::differingPixels(everything, picture.pixels()), 0u)
-            << "camera " << c << ", seed " << seed;
+            << "camera " << c << ", seed " << rendererSeed;
         culled += scene.renderer.stats().culledFrustum + scene.renderer.stats().culledPatch;
     }
     // About half of the blades are behind or beside each camera.
@@ -269,10 +264,10 @@ TEST_F(RendererTest, FrustumCullingChangesNoPixel)
 TEST_F(RendererTest, LooksTheSameFarFromTheOrigin)
 {
     const auto pictureAt = [&](glm::dvec3 origin) {
-        Scene scene{
-            device(),
-            test::makeField({.blades = 500, .extent = 2.0f, .origin = origin, .seed = seed}),
-            oneSample()};
+        Scene scene{device(),
+                    test::makeField(
+                        {.blades = 500, .extent = 2.0f, .origin = origin, .seed = rendererSeed}),
+                    oneSample()};
         test::Picture picture(context(), {96, 60});
         picture.draw(scene.renderer, scene.camera, scene.settings, 1.0);
         return picture.pixels();

@@ -18,14 +18,14 @@ std::span<const EmbeddedFile> shaders();
 namespace sward::render {
 namespace {
 
-constexpr std::uint64_t seed = 29;
-constexpr glm::uvec2 size(320, 180);
+constexpr std::uint64_t roundsSeed = 29;
+constexpr glm::uvec2 roundsSize(320, 180);
 
 class RoundsTest : public test::GpuTest {};
 
 TEST_F(RoundsTest, AreAsManyAsTheVisiblePatchesMayFill)
 {
-    const field::Field stored = test::makeField({.blades = 20'000, .seed = seed});
+    const field::Field stored = test::makeField({.blades = 20'000, .seed = roundsSeed});
     const field::FieldView field = field::viewOf(stored);
     const auto nonEmptyPatches = static_cast<std::uint64_t>(std::ranges::count_if(
         field.patches, [](const shared::Patch& cell) { return cell.bladeCount > 0; }));
@@ -46,7 +46,7 @@ TEST_F(RoundsTest, AreAsManyAsTheVisiblePatchesMayFill)
         return blades.roundCount(0);
     };
     const auto seenBy = [&](const Camera& by) {
-        return viewMatrices(by, {}, size, field.bounds());
+        return viewMatrices(by, {}, roundsSize, field.bounds());
     };
     frame.settings.cullMask = 0;
     frame.settings.levelOfDetail = false;

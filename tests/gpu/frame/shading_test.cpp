@@ -17,7 +17,7 @@
 namespace sward::render {
 namespace {
 
-constexpr glm::vec3 up(0.0f, 1.0f, 0.0f);
+constexpr glm::vec3 shadingUp(0.0f, 1.0f, 0.0f);
 
 double bladeArea(const field::Field& field)
 {
@@ -137,16 +137,16 @@ protected:
     };
 };
 
-constexpr glm::uvec2 size(120, 80);
+constexpr glm::uvec2 shadingSize(120, 80);
 
-int green(const std::vector<std::byte>& pixels, std::uint32_t x, std::uint32_t y)
+int shadingGreen(const std::vector<std::byte>& pixels, std::uint32_t x, std::uint32_t y)
 {
-    return std::to_integer<int>(pixels[4 * (std::size_t(y) * size.x + x) + 1]);
+    return std::to_integer<int>(pixels[4 * (std::size_t(y) * shadingSize.x + x) + 1]);
 }
 
 TEST_F(ShadingTest, GrassDarkensTheGroundBetweenItAndNoOther)
 {
-    test::Picture picture(context(), size);
+    test::Picture picture(context(), shadingSize);
     Scene bare(withoutLeaves(island(3000)));
     Scene grown(island(3000));
     grown.settings.environment.drawDistance = 1e9f;
@@ -156,12 +156,12 @@ TEST_F(ShadingTest, GrassDarkensTheGroundBetweenItAndNoOther)
     const auto after = grown.draw(picture);
     // The grass is in the middle third; no byte changes left and right of it.
     std::size_t ground = 0;
-    for (std::uint32_t y = 0; y < size.y; ++y)
-        for (std::uint32_t x = 0; x < size.x; ++x) {
-            if (x > size.x / 4 && x < size.x - size.x / 4)
+    for (std::uint32_t y = 0; y < shadingSize.y; ++y)
+        for (std::uint32_t x = 0; x < shadingSize.x; ++x) {
+            if (x > shadingSize.x / 4 && x < shadingSize.x - shadingSize.x / 4)
                 continue;
             ++ground;
-            ASSERT_EQ(green(before, x, y), green(after, x, y)) << x << ", " << y;
+            ASSERT_EQ(shadingGreen(before, x, y), shadingGreen(after, x, y)) << x << ", " << y;
         }
     EXPECT_GT(ground, 1000u);
     // Grass beyond the draw distance does not shade the ground.
@@ -172,9 +172,9 @@ TEST_F(ShadingTest, GrassDarkensTheGroundBetweenItAndNoOther)
 
     // The ground is darker between the blades.
     int darkest = 255;
-    for (std::uint32_t x = size.x / 2 - 5; x < size.x / 2 + 5; ++x)
-        darkest = std::min(darkest, green(after, x, size.y / 2));
-    EXPECT_LT(darkest, green(before, size.x / 2, size.y / 2));
+    for (std::uint32_t x = shadingSize.x / 2 - 5; x < shadingSize.x / 2 + 5; ++x)
+        darkest = std::min(darkest, shadingGreen(after, x, shadingSize.y / 2));
+    EXPECT_LT(darkest, shadingGreen(before, shadingSize.x / 2, shadingSize.y / 2));
 }
 
 /// A square of 12 m, and one of `roof` [m] above it.
@@ -199,7 +199,7 @@ field::Field roofed(float roof)
 
 TEST_F(ShadingTest, GroundLiesInTheShadowOfWhatStandsBetweenItAndTheSun)
 {
-    test::Picture picture(context(), size);
+    test::Picture picture(context(), shadingSize);
     Scene open(roofed(0.0f));
     Scene covered(roofed(2.0f));
     const glm::vec3 slanted = glm::normalize(glm::vec3(1.0f, 1.0f, 0.0f));
@@ -210,23 +210,25 @@ TEST_F(ShadingTest, GroundLiesInTheShadowOfWhatStandsBetweenItAndTheSun)
 
     // The roof is 2 m up and the sun at 45°: the shadow is 2 m to the left.
     const auto pixelOf = [&](glm::vec3 place) {
-        const ViewMatrices view = viewMatrices(open.camera, {}, size, {});
+        const ViewMatrices view = viewMatrices(open.camera, {}, shadingSize, {});
         const glm::vec4 clip = view.viewProjection * glm::vec4(place, 1.0f);
-        return glm::uvec2((0.5f + 0.5f * glm::vec2(clip) / clip.w) * glm::vec2(size));
+        return glm::uvec2((0.5f + 0.5f * glm::vec2(clip) / clip.w) * glm::vec2(shadingSize));
     };
     const glm::uvec2 inside = pixelOf({-2.0f, 0.0f, 0.4f});
     const glm::uvec2 outside = pixelOf({-4.0f, 0.0f, 0.4f});
     const glm::uvec2 right = pixelOf({4.0f, 0.0f, 0.4f});
-    EXPECT_LT(green(shadow, inside.x, inside.y), green(light, inside.x, inside.y) - 15);
-    EXPECT_EQ(green(shadow, outside.x, outside.y), green(light, outside.x, outside.y));
-    EXPECT_EQ(green(shadow, right.x, right.y), green(light, right.x, right.y));
+    EXPECT_LT(shadingGreen(shadow, inside.x, inside.y),
+              shadingGreen(light, inside.x, inside.y) - 15);
+    EXPECT_EQ(shadingGreen(shadow, outside.x, outside.y),
+              shadingGreen(light, outside.x, outside.y));
+    EXPECT_EQ(shadingGreen(shadow, right.x, right.y), shadingGreen(light, right.x, right.y));
 }
 
 TEST_F(ShadingTest, GroundDoesNotShadeItself)
 {
     // Sun from high to low: no surface that faces it is shadowed. From so far away that a pixel
     // shows no detail of bare ground.
-    test::Picture picture(context(), size);
+    test::Picture picture(context(), shadingSize);
     for (const float height : {2.0f, 0.5f, 0.1f}) {
         field::Field wide = test::emptyField();
         wide.ground = test::planeGround(120.0f);
@@ -236,17 +238,19 @@ TEST_F(ShadingTest, GroundDoesNotShadeItself)
         plane.settings.sunDirection = {1.0f, height, 0.3f};
         const auto pixels = plane.draw(picture);
         // A sunlit plane has one colour.
-        const int middle = green(pixels, size.x / 2, size.y / 2);
-        for (std::uint32_t x = size.x / 4; x < size.x - size.x / 4; ++x)
-            ASSERT_NEAR(green(pixels, x, size.y / 2), middle, 1) << height << " at " << x;
+        const int middle = shadingGreen(pixels, shadingSize.x / 2, shadingSize.y / 2);
+        for (std::uint32_t x = shadingSize.x / 4; x < shadingSize.x - shadingSize.x / 4; ++x)
+            ASSERT_NEAR(shadingGreen(pixels, x, shadingSize.y / 2), middle, 1)
+                << height << " at " << x;
         plane.settings.sunDirection.y = -height;
-        EXPECT_LT(green(plane.draw(picture), size.x / 2, size.y / 2), middle) << height;
+        EXPECT_LT(shadingGreen(plane.draw(picture), shadingSize.x / 2, shadingSize.y / 2), middle)
+            << height;
     }
 }
 
 TEST_F(ShadingTest, ShadowsFollowTheSunAndComeBackWithIt)
 {
-    test::Picture picture(context(), size);
+    test::Picture picture(context(), shadingSize);
     Scene scene(roofed(2.0f));
     scene.settings.sunDirection = {1.0f, 1.0f, 0.0f};
     const auto morning = scene.draw(picture);
@@ -267,7 +271,7 @@ field::Field sparse()
         shared::Blade blade = {};
         blade.root = {0.5f * static_cast<float>(i % 4) - 0.75f, 0.0f,
                       0.5f * static_cast<float>(i / 4) - 0.5f};
-        blade.up = up;
+        blade.up = shadingUp;
         blade.facing = 0.5f * static_cast<float>(i);
         blade.stiffness = 0.8f;
         blade.height = 0.5f;
@@ -365,7 +369,7 @@ TEST(SunShadow, HoldsAllOfItsGround)
         // Points nearer to the sun have greater depth in the map.
         EXPECT_GT(glm::dot(glm::vec3(shadow.depth), sun), 0.0f);
     }
-    EXPECT_EQ(sunShadowOf(Aabb{}, up, 256).size, 0u);
+    EXPECT_EQ(sunShadowOf(Aabb{}, shadingUp, 256).size, 0u);
 }
 
 } // namespace

@@ -20,21 +20,15 @@
 namespace sward::render {
 namespace {
 
-constexpr std::uint64_t seed = 26;
-constexpr glm::uvec2 size(160, 100);
-std::uint64_t sumOf(const FrameStats& s)
-{
-    return s.drawn + s.lod + s.culledPatch + s.culledOrientation + s.culledFrustum +
-           s.culledDistance + s.culledOcclusion;
-}
-
+constexpr std::uint64_t streamingSeed = 26;
+constexpr glm::uvec2 streamingSize(160, 100);
 FieldRenderer::Settings rasterised()
 {
     FieldRenderer::Settings settings;
     settings.samples = 1;
     settings.geometry = Geometry::raster;
     settings.rastersForCpu = false;
-    settings.largestTarget = size;
+    settings.largestTarget = streamingSize;
     settings.waitsForDisk = true;
     return settings;
 }
@@ -68,7 +62,7 @@ protected:
                                                            .extent = 64.0f,
                                                            .widthLow = 0.03f,
                                                            .widthHigh = 0.05f,
-                                                           .seed = seed});
+                                                           .seed = streamingSeed});
         return field;
     }
 
@@ -96,7 +90,7 @@ protected:
     {
         EXPECT_EQ(stats.total, meadow().blades.size());
         EXPECT_EQ(stats.total, stats.resident + stats.streamedOut);
-        EXPECT_EQ(sumOf(stats), stats.resident);
+        EXPECT_EQ(test::sumOf(stats), stats.resident);
     }
 };
 
@@ -104,7 +98,7 @@ TEST_F(StreamingTest, DrawsWhatTheWholeFieldDrawsOnceAllThatIsSeenIsThere)
 {
     FieldRenderer whole(device(), field::viewOf(meadow()), rasterised());
     FieldRenderer part = streamed(0.33);
-    test::Picture picture(context(), size);
+    test::Picture picture(context(), streamingSize);
     picture.draw(whole, lookingAtCorner(), settings(), 3.0);
     const auto expected = picture.pixels();
 
@@ -131,7 +125,7 @@ TEST_F(StreamingTest, KeepsToItsBudgetAndUsesIt)
         FieldRenderer::Settings wanted = rasterised();
         wanted.deviceBytes = budgetWith(share, wanted);
         FieldRenderer renderer(device(), field::viewOf(meadow()), wanted);
-        test::Picture picture(context(), size);
+        test::Picture picture(context(), streamingSize);
         picture.draw(renderer, lookingAlong(), settings(), 0.0);
         EXPECT_LE(renderer.deviceBytes(), wanted.deviceBytes) << share;
         EXPECT_EQ(renderer.isStreamed(), share < 1.0);
@@ -155,7 +149,7 @@ TEST_F(StreamingTest, ThinsOutWhatDoesNotFitAndKeepsTheNearest)
 {
     FieldRenderer whole(device(), field::viewOf(meadow()), rasterised());
     FieldRenderer part = streamed(0.25);
-    test::Picture picture(context(), size);
+    test::Picture picture(context(), streamingSize);
     FrameSettings fine = settings();
     fine.lodThreshold = 0.05f;
     picture.draw(whole, lookingAlong(), fine, 0.0);
@@ -169,7 +163,7 @@ TEST_F(StreamingTest, ThinsOutWhatDoesNotFitAndKeepsTheNearest)
     int frames = 0;
     for (; !settled && frames < 500; ++frames) {
         const gpu::FrameRing::Frame frame = ring.begin();
-        settled = part.recordStreaming(frame.commands, size, lookingAlong(), fine, 0.0);
+        settled = part.recordStreaming(frame.commands, streamingSize, lookingAlong(), fine, 0.0);
         ring.submit(frame);
         ring.finish();
     }
@@ -190,7 +184,8 @@ TEST_F(StreamingTest, ThinsOutWhatDoesNotFitAndKeepsTheNearest)
 
     // The nearest ground, at the bottom of the picture, is unchanged. The density is equal: the
     // mean of the picture stays.
-    const std::size_t near = std::size_t(size.x) * 4 * (size.y - size.y / 8);
+    const std::size_t near =
+        std::size_t(streamingSize.x) * 4 * (streamingSize.y - streamingSize.y / 8);
     const std::vector<std::byte> nearExpected(expected.begin() + near, expected.end());
     const std::vector<std::byte> nearPixels(first.begin() + near, first.end());
     EXPECT_EQ(test::differingPixels(nearPixels, nearExpected), 0u);
@@ -213,7 +208,7 @@ std::vector<std::byte> play(const gpu::DeviceContext& context, FieldRenderer& re
     gpu::FrameRing ring(context, framesInFlight);
     const gpu::Image target(context, {.name = "picture",
                                       .format = VK_FORMAT_R8G8B8A8_SRGB,
-                                      .extent = {size.x, size.y},
+                                      .extent = {streamingSize.x, streamingSize.y},
                                       .usage = VK_IMAGE_USAGE_COLOR_ATTACHMENT_BIT |
                                                VK_IMAGE_USAGE_TRANSFER_SRC_BIT |
                                                VK_IMAGE_USAGE_TRANSFER_DST_BIT});
@@ -222,11 +217,11 @@ std::vector<std::byte> play(const gpu::DeviceContext& context, FieldRenderer& re
         if (i >= static_cast<int>(framesInFlight)) {
             const FrameStats stats = renderer.stats(frame.slot);
             EXPECT_EQ(stats.total, stats.resident + stats.streamedOut) << "frame " << i;
-            EXPECT_EQ(sumOf(stats), stats.resident) << "frame " << i;
+            EXPECT_EQ(test::sumOf(stats), stats.resident) << "frame " << i;
         }
         gpu::transition(frame.commands, target, gpu::ImageUse::undefined,
                         gpu::ImageUse::colorTarget);
-        renderer.record(frame.commands, {target.get(), target.view(), size},
+        renderer.record(frame.commands, {target.get(), target.view(), streamingSize},
                         cameraAt(static_cast<double>(i) / (frames - 1)), settings, step * i,
                         frame.slot);
         std::vector<VkSemaphoreSubmitInfo> waits;
@@ -350,7 +345,7 @@ TEST_F(StreamingTest, TellsOfAPatchThatIsThere)
     const field::FieldView field = field::viewOf(meadow());
     FieldRenderer whole(device(), field, rasterised());
     FieldRenderer part = streamed(0.33);
-    test::Picture picture(context(), size);
+    test::Picture picture(context(), streamingSize);
     picture.draw(whole, lookingAtCorner(), settings(), 3.0);
     for (int frame = 0; frame < 60; ++frame)
         picture.draw(part, lookingAtCorner(), settings(), 3.0);

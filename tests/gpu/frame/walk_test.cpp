@@ -20,23 +20,23 @@
 namespace sward::render {
 namespace {
 
-constexpr std::uint64_t seed = 83;
-constexpr glm::uvec2 size(320, 180);
+constexpr std::uint64_t walkSeed = 83;
+constexpr glm::uvec2 walkSize(320, 180);
 constexpr std::uint32_t everything = shared::cullPatch | shared::cullOrientation |
                                      shared::cullFrustum | shared::cullDistance |
                                      shared::leaveThinned;
 
 /// Cameras in a cube of 10 m, around it, and far enough that most blades are thinned out.
-Camera randomCamera(std::uint64_t index)
+Camera walkCamera(std::uint64_t index)
 {
     const auto at = [index](double reach, std::uint32_t dimension) {
-        return reach * (2.0 * uniform(seed, index, dimension) - 1.0);
+        return reach * (2.0 * uniform(walkSeed, index, dimension) - 1.0);
     };
     const double reach = std::array{6.0, 12.0, 150.0}[index % 3];
     Camera camera;
     camera.eye = {at(reach, 0), at(reach, 1), at(reach, 2)};
     camera.target = {at(4.0, 3), at(4.0, 4), at(4.0, 5)};
-    camera.fovY = static_cast<float>(20.0 + 70.0 * uniform(seed, index, 6));
+    camera.fovY = static_cast<float>(20.0 + 70.0 * uniform(walkSeed, index, 6));
     return camera;
 }
 
@@ -51,7 +51,7 @@ protected:
         settings.environment.drawDistance = 100.0f;
         settings.updateRate.everyFrame = 1e6f;
         return frameOf({{}, view.bounds(), field::meanBladeSize(view)},
-                       viewMatrices(randomCamera(camera), {}, size, view.bounds()), settings, 1.0,
+                       viewMatrices(walkCamera(camera), {}, walkSize, view.bounds()), settings, 1.0,
                        1);
     }
 
@@ -64,7 +64,7 @@ protected:
     }
 
     field::Field field_ =
-        test::makeField({.surface = test::Surface::cloud, .blades = 20'000, .seed = seed});
+        test::makeField({.surface = test::Surface::cloud, .blades = 20'000, .seed = walkSeed});
     std::vector<shared::BladeState> states_{field_.blades.size()};
 };
 

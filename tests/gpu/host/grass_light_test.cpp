@@ -23,7 +23,6 @@ using test::lookingFrom;
 using test::ShadowMap;
 using test::worldToShadow;
 
-constexpr glm::uvec2 size = test::hostSize;
 constexpr float nan = std::numeric_limits<float>::quiet_NaN();
 
 /// Values of the orthonormal real spherical harmonics of order 2 in a unit direction.
@@ -118,9 +117,10 @@ protected:
         const std::vector<float> depths = picture_.depths();
         std::vector<glm::dvec3> result;
         for (std::size_t i = 0; i < depths.size(); ++i) {
-            const glm::dvec2 at(double(i % size.x) + 0.5, double(i / size.x) + 0.5);
-            const glm::dvec4 place =
-                back * glm::dvec4(2.0 * at / glm::dvec2(size) - 1.0, double(depths[i]), 1.0);
+            const glm::dvec2 at(double(i % test::hostSize.x) + 0.5,
+                                double(i / test::hostSize.x) + 0.5);
+            const glm::dvec4 place = back * glm::dvec4(2.0 * at / glm::dvec2(test::hostSize) - 1.0,
+                                                       double(depths[i]), 1.0);
             result.push_back(glm::dvec3(place) / place.w);
         }
         return result;

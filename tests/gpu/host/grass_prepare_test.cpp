@@ -129,7 +129,7 @@ enum class Stored { no, halves, bytes };
 enum class Light { none, ambient, lamps, shadow };
 
 /// A frame by what its pipelines depend on.
-struct Kind {
+struct PreparedKind {
     std::uint32_t samples;
     bool isReversed;
     bool hasDepth;
@@ -150,7 +150,7 @@ struct Shown {
     HostShadow shadow;
 };
 
-HostView viewOf(const Kind& kind, const Shown& shown)
+HostView viewOf(const PreparedKind& kind, const Shown& shown)
 {
     HostView view = test::lookingFrom({0.0, 2.0, 4.0}, kind.isReversed);
     view.samples = kind.samples;
@@ -181,7 +181,7 @@ TEST_F(GrassPrepareTest, LeavesNoPipelineToFrames)
     for (WindSource& wind : gusts)
         wind.source.strength = 1.0f;
 
-    const Kind kinds[]{
+    const PreparedKind kinds[]{
         {1, true, true, Stored::no, Light::none, 1, 1, breeze},
         {1, false, true, Stored::bytes, Light::lamps, 1, 1, breeze},
         {4, true, false, Stored::halves, Light::shadow, 1, 1, gusts},
@@ -190,7 +190,7 @@ TEST_F(GrassPrepareTest, LeavesNoPipelineToFrames)
         {4, true, true, Stored::bytes, Light::ambient, 1, 2, gusts},
         {1, false, true, Stored::no, Light::none, 1, 1, gusts, Geometry::tessellation}};
     for (const bool isCpu : {true, false})
-        for (const Kind& kind : kinds) {
+        for (const PreparedKind& kind : kinds) {
             SCOPED_TRACE(testing::Message()
                          << "kind " << &kind - kinds << ", as on a " << (isCpu ? "CPU" : "GPU"));
             const std::vector<HostView> views(kind.views, viewOf(kind, shown));

@@ -18,9 +18,6 @@ namespace {
 using test::HostPicture;
 using test::lookingFrom;
 
-constexpr glm::uvec2 size = test::hostSize;
-constexpr std::size_t pixelCount = std::size_t(size.x) * size.y;
-
 class GrassRasterTest : public test::GrassTest {
 protected:
     void SetUp() override
@@ -60,7 +57,7 @@ protected:
 };
 
 /// Samples and convention of depth.
-constexpr std::pair<std::uint32_t, bool> kinds[]{{1u, true}, {4u, false}};
+constexpr std::pair<std::uint32_t, bool> rasterKinds[]{{1u, true}, {4u, false}};
 
 /// A view of the origin that asks for the rasteriser.
 HostView rasterView(glm::dvec3 eye, bool isReversed = true)
@@ -87,7 +84,7 @@ TEST_F(GrassRasterTest, ShowsWhatTheTessellatorShows)
         {.position = {0.3, -0.1, 0.2},
          .rotation = glm::angleAxis(0.4, glm::normalize(glm::dvec3(1, 2, -1))),
          .scale = 1.5}};
-    for (const auto& [samples, isReversed] : kinds) {
+    for (const auto& [samples, isReversed] : rasterKinds) {
         SCOPED_TRACE(samples);
         SCOPED_TRACE(isReversed);
         const HostPicture::Settings target{.isReversed = isReversed, .samples = samples};
@@ -96,11 +93,11 @@ TEST_F(GrassRasterTest, ShowsWhatTheTessellatorShows)
         HostView view = rasterView({2.0, 2.5, 4.0}, isReversed);
         view.samples = samples;
         drawBoth(adding(turned), view, tessellated, rasterised);
-        EXPECT_GT(tessellated.covered(), pixelCount / 10);
+        EXPECT_GT(tessellated.covered(), test::hostPixels / 10);
         // Edges differ by at most 1/256 pixel, so that few samples change.
         EXPECT_LT(meanApart(tessellated.pixels(), rasterised.pixels()), 1.5);
         EXPECT_NEAR(double(rasterised.covered()), double(tessellated.covered()),
-                    0.01 * double(pixelCount));
+                    0.01 * double(test::hostPixels));
     }
 }
 
@@ -121,7 +118,7 @@ TEST_F(GrassRasterTest, HasTheDepthThatTheTessellatorHas)
             const float near = isReversed ? a[i] : 1.0f - a[i];
             apart += std::abs(a[i] - b[i]) > 0.01f * near + 1e-6f ? 1u : 0u;
         }
-        EXPECT_LT(apart, pixelCount / 50);
+        EXPECT_LT(apart, test::hostPixels / 50);
     }
 }
 
@@ -142,14 +139,14 @@ TEST_F(GrassRasterTest, HasTheDepthOfEachSampleWhereTheTessellatorHasIt)
         std::size_t apart = 0;
         for (std::size_t i = 0; i < a.size(); ++i)
             apart += std::abs(a[i] - b[i]) > 0.01f * a[i] + 1e-6f ? 1u : 0u;
-        EXPECT_LT(apart, pixelCount / 50);
+        EXPECT_LT(apart, test::hostPixels / 50);
     }
 }
 
 TEST_F(GrassRasterTest, StandsBehindWhatTheHostHasDrawn)
 {
     const auto resident = upload(field_);
-    for (const auto& [samples, isReversed] : kinds) {
+    for (const auto& [samples, isReversed] : rasterKinds) {
         SCOPED_TRACE(samples);
         SCOPED_TRACE(isReversed);
         const HostPicture::Settings target{.isReversed = isReversed, .samples = samples};
@@ -161,7 +158,7 @@ TEST_F(GrassRasterTest, StandsBehindWhatTheHostHasDrawn)
         drawBoth(adding({resident, {}}), view, tessellated, rasterised, 5.2);
         EXPECT_LT(meanApart(tessellated.pixels(), rasterised.pixels()), 1.5);
         EXPECT_NEAR(double(rasterised.covered()), double(tessellated.covered()),
-                    0.01 * double(pixelCount));
+                    0.01 * double(test::hostPixels));
     }
 }
 
@@ -183,7 +180,7 @@ TEST_F(GrassRasterTest, DrawsManyInstancesByOneList)
         grass.remove(ids[20]);
     };
     drawBoth(add, view, tessellated, rasterised);
-    EXPECT_GT(tessellated.covered(), pixelCount / 20);
+    EXPECT_GT(tessellated.covered(), test::hostPixels / 20);
     EXPECT_LT(meanApart(tessellated.pixels(), rasterised.pixels()), 1.5);
 }
 
@@ -232,7 +229,7 @@ TEST_F(GrassRasterTest, TellsOfMotionAsTheTessellatorDoes)
         moved += glm::length(motions[0][i]) > 1e-3f ? 1u : 0u;
         apart += glm::length(motions[0][i] - motions[1][i]) > 2e-3f ? 1u : 0u;
     }
-    EXPECT_GT(moved, pixelCount / 10);
+    EXPECT_GT(moved, test::hostPixels / 10);
     EXPECT_LT(apart, moved / 20);
 }
 

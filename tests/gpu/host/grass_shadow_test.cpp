@@ -22,7 +22,6 @@ using test::lookingFrom;
 using test::ShadowMap;
 using test::worldToShadow;
 
-constexpr glm::uvec2 size = test::hostSize;
 constexpr std::uint32_t mapSize = 256;
 constexpr double reach = 4.0; // [m]
 const glm::dvec3 sun = glm::normalize(glm::dvec3(0.4, 1.0, -0.3));
@@ -63,8 +62,9 @@ protected:
         const std::vector<float> depths = picture.depths();
         std::vector<glm::dvec3> places;
         for (std::size_t i = 0; i < depths.size(); ++i) {
-            const glm::dvec2 at(double(i % size.x) + 0.5, double(i / size.x) + 0.5);
-            const glm::dvec2 clip = 2.0 * at / glm::dvec2(size) - 1.0;
+            const glm::dvec2 at(double(i % test::hostSize.x) + 0.5,
+                                double(i / test::hostSize.x) + 0.5);
+            const glm::dvec2 clip = 2.0 * at / glm::dvec2(test::hostSize) - 1.0;
             const glm::dvec4 place = back * glm::dvec4(clip, double(depths[i]), 1.0);
             places.push_back(depths[i] > 0.0f
                                  ? glm::dvec3(place) / place.w

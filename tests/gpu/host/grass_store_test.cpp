@@ -20,8 +20,6 @@ namespace {
 using test::HostPicture;
 using test::StoreCanvas;
 
-constexpr glm::uvec2 size = test::hostSize;
-constexpr std::size_t pixelCount = std::size_t(size.x) * size.y;
 constexpr float step = 1.0f / 255.0f; ///< of 8 bits
 
 /// Colours of 8 bits as 0 … 1.
@@ -114,20 +112,20 @@ protected:
 };
 
 /// Each shader has its turn with either number of samples and, of these, one convention of depth.
-struct Kind {
+struct StoreKind {
     std::uint32_t samples;
     bool isReversed;
     int instances;
     bool hasLamps;
 };
-constexpr Kind kinds[]{{1, true, 1, false},  {1, false, 1, true},  {1, true, 3, false},
-                       {1, false, 3, true},  {4, false, 1, false}, {4, true, 1, true},
-                       {4, false, 3, false}, {4, true, 3, true}};
+constexpr StoreKind storeKinds[]{{1, true, 1, false},  {1, false, 1, true},  {1, true, 3, false},
+                                 {1, false, 3, true},  {4, false, 1, false}, {4, true, 1, true},
+                                 {4, false, 3, false}, {4, true, 3, true}};
 
 TEST_F(GrassStoreTest, IsWhatACompositeLaysOverTheHostsPicture)
 {
     const HostLamp lamps[]{{.position = {0.5, 1.5, 0.5}, .range = 9.0f}};
-    for (const auto& [samples, isReversed, instances, hasLamps] : kinds) {
+    for (const auto& [samples, isReversed, instances, hasLamps] : storeKinds) {
         SCOPED_TRACE(testing::Message() << samples << " samples, reversed " << isReversed << ", "
                                         << instances << " instances, lamps " << hasLamps);
         light_.lamps = {};
@@ -159,7 +157,7 @@ TEST_F(GrassStoreTest, IsWhatACompositeLaysOverTheHostsPicture)
         std::size_t covered = 0;
         std::size_t apart = 0;
         std::size_t deeper = 0;
-        for (std::size_t i = 0; i < pixelCount; ++i) {
+        for (std::size_t i = 0; i < test::hostPixels; ++i) {
             const bool isGrass = drawn[i].w > 0.0f;
             covered += isGrass ? 1u : 0u;
             apart += apartBy(stored[i], overBackground(drawn[i])) > most ? 1u : 0u;
@@ -168,8 +166,8 @@ TEST_F(GrassStoreTest, IsWhatACompositeLaysOverTheHostsPicture)
         }
         EXPECT_EQ(apart, 0u);
         EXPECT_EQ(deeper, 0u);
-        EXPECT_GT(covered, pixelCount / 10);
-        EXPECT_LT(covered, pixelCount);
+        EXPECT_GT(covered, test::hostPixels / 10);
+        EXPECT_LT(covered, test::hostPixels);
     }
 }
 
@@ -179,7 +177,8 @@ TEST_F(GrassStoreTest, PutsTwoViewsIntoTheirPartsOfAPicture)
         SCOPED_TRACE(samples);
         Grass grass(context(), oneSlot_);
         addTo(grass, 2);
-        const StoreCanvas canvas(context(), {.size = {2 * size.x + 5, size.y + 9}});
+        const StoreCanvas canvas(context(),
+                                 {.size = {2 * test::hostSize.x + 5, test::hostSize.y + 9}});
         std::vector<HostView> views{viewFrom({2.0, 2.5, 4.0}, samples),
                                     viewFrom({-3.0, 1.5, 3.0}, samples)};
         const HostPicture::Settings target{.samples = samples};
@@ -187,7 +186,7 @@ TEST_F(GrassStoreTest, PutsTwoViewsIntoTheirPartsOfAPicture)
         const HostPicture right(context(), target);
         const HostPicture* const pictures[]{&left, &right};
         drawFrame(grass, 1.0, views, pictures);
-        const glm::uvec2 firsts[]{{2, 9}, {size.x + 4, 3}};
+        const glm::uvec2 firsts[]{{2, 9}, {test::hostSize.x + 4, 3}};
         for (std::size_t i = 0; i < 2; ++i) {
             views[i].stored = canvas.picture();
             views[i].stored->first = firsts[i];
@@ -195,7 +194,7 @@ TEST_F(GrassStoreTest, PutsTwoViewsIntoTheirPartsOfAPicture)
         store(grass, views, canvas, {nullptr, nullptr}, 0.0);
 
         const std::vector<glm::vec4> stored = canvas.colors();
-        const std::uint32_t width = 2 * size.x + 5;
+        const std::uint32_t width = 2 * test::hostSize.x + 5;
         std::size_t kept = 0;
         for (const glm::vec4& color : stored)
             kept += isBackground(color) ? 1u : 0u;
@@ -203,14 +202,14 @@ TEST_F(GrassStoreTest, PutsTwoViewsIntoTheirPartsOfAPicture)
         for (std::size_t i = 0; i < 2; ++i) {
             const std::vector<glm::vec4> drawn = colorsOf(*pictures[i]);
             std::size_t apart = 0;
-            for (std::uint32_t y = 0; y < size.y; ++y)
-                for (std::uint32_t x = 0; x < size.x; ++x) {
-                    const glm::vec4& one = drawn[y * size.x + x];
+            for (std::uint32_t y = 0; y < test::hostSize.y; ++y)
+                for (std::uint32_t x = 0; x < test::hostSize.x; ++x) {
+                    const glm::vec4& one = drawn[y * test::hostSize.x + x];
                     const glm::vec4& other = stored[(firsts[i].y + y) * width + firsts[i].x + x];
                     apart += apartBy(other, overBackground(one)) > 2.01f * step ? 1u : 0u;
                 }
             EXPECT_EQ(apart, 0u) << i;
-            EXPECT_GT(pictures[i]->covered(), pixelCount / 20);
+            EXPECT_GT(pictures[i]->covered(), test::hostPixels / 20);
         }
         // Nothing lies outside of both views.
         for (std::uint32_t x = 0; x < width; ++x)
@@ -244,14 +243,14 @@ TEST_F(GrassStoreTest, KeepsRadianceAndEncodesForScreens)
         const std::vector<glm::vec4> kept = stored(floats, radiance);
         std::size_t covered = 0;
         std::size_t apart = 0;
-        for (std::size_t i = 0; i < pixelCount; ++i) {
+        for (std::size_t i = 0; i < test::hostPixels; ++i) {
             covered += drawn[i].w > 0.0f ? 1u : 0u;
             const glm::vec4 expected = overBackground(drawn[i]);
             const float largest = std::max({expected.x, expected.y, expected.z});
             apart += apartBy(kept[i], expected) > largest / 256.0f + 1e-4f ? 1u : 0u;
         }
         EXPECT_EQ(apart, 0u);
-        EXPECT_GT(covered, pixelCount / 10);
+        EXPECT_GT(covered, test::hostPixels / 10);
         for (const float depth : floats.depths())
             ASSERT_EQ(depth, StoreCanvas::depthBefore);
 
@@ -266,14 +265,14 @@ TEST_F(GrassStoreTest, KeepsRadianceAndEncodesForScreens)
         const std::vector<glm::vec4> swapped = stored(turned, blueFirst);
         std::size_t unlike = 0;
         apart = 0;
-        for (std::size_t i = 0; i < pixelCount; ++i) {
+        for (std::size_t i = 0; i < test::hostPixels; ++i) {
             apart += apartBy(decoded[i], developed[i]) > 2.0f * step ? 1u : 0u;
             const glm::vec4 back(swapped[i].z, swapped[i].y, swapped[i].x, swapped[i].w);
             apart += apartBy(back, developed[i]) > 1.01f * step ? 1u : 0u;
             unlike += apartBy(kept[i], developed[i]) > 4.0f * step ? 1u : 0u;
         }
         EXPECT_EQ(apart, 0u);
-        EXPECT_GT(unlike, pixelCount / 20);
+        EXPECT_GT(unlike, test::hostPixels / 20);
     }
 }
 
@@ -288,7 +287,7 @@ TEST_F(GrassStoreTest, IsNotDrawnASecondTimeButItsDepthMayBe)
         const HostPicture composite(context(), {.samples = samples});
         const HostPicture* const composites[]{&composite};
         drawFrame(grass, 1.0, {&view, 1}, composites);
-        EXPECT_GT(composite.covered(), pixelCount / 10);
+        EXPECT_GT(composite.covered(), test::hostPixels / 10);
         view.stored = canvas.picture();
         gpu::submitAndWait(context(),
                            [&](VkCommandBuffer commands) { canvas.recordScene(commands); });
@@ -355,7 +354,7 @@ TEST_F(GrassStoreTest, RefusesPicturesThatDoNotFit)
     EXPECT_FALSE(refused([](StoredPicture&) {}));
     EXPECT_TRUE(refused([](StoredPicture& picture) { picture.color = VK_NULL_HANDLE; }));
     EXPECT_TRUE(refused([](StoredPicture& picture) { picture.format = VK_FORMAT_R8G8B8A8_UINT; }));
-    EXPECT_TRUE(refused([](StoredPicture& picture) { picture.size.y = size.y - 1; }));
+    EXPECT_TRUE(refused([](StoredPicture& picture) { picture.size.y = test::hostSize.y - 1; }));
     EXPECT_TRUE(refused([](StoredPicture& picture) { picture.first.x = 1; }));
     EXPECT_TRUE(refused([](StoredPicture& picture) { picture.first.x = 0xffffffffu; }));
     EXPECT_TRUE(refused([](StoredPicture& picture) {

@@ -22,14 +22,11 @@ namespace {
 
 using test::HostPicture;
 
-constexpr glm::uvec2 size = test::hostSize;
-constexpr std::size_t pixelCount = std::size_t(size.x) * size.y;
-
 HostView viewFrom(glm::dvec3 eye, glm::dvec3 target, Geometry geometry = Geometry::tessellation)
 {
     return {.worldToClip =
                 test::perspective(true) * glm::lookAt(eye, target, glm::dvec3(0.0, 1.0, 0.0)),
-            .size = size,
+            .size = test::hostSize,
             .geometry = geometry};
 }
 
@@ -243,7 +240,8 @@ TEST_F(GrassStreamingTest, ThinsOutWhatDoesNotFitAndKeepsTheNearest)
     EXPECT_GT(grass.stats(0, 0).drawn, 1000u);
 
     // The nearest ground, at the bottom of the picture, is unchanged; the field covers as much.
-    const std::size_t near = std::size_t(size.x) * 4 * (size.y - size.y / 8);
+    const std::size_t near =
+        std::size_t(test::hostSize.x) * 4 * (test::hostSize.y - test::hostSize.y / 8);
     const std::vector<std::byte> pixels = picture.pixels();
     EXPECT_EQ(test::pixelsApart({pixels.begin() + near, pixels.end()},
                                 {whole.begin() + near, whole.end()}, 0),
@@ -251,7 +249,7 @@ TEST_F(GrassStreamingTest, ThinsOutWhatDoesNotFitAndKeepsTheNearest)
     std::size_t covered = 0;
     for (std::size_t i = 3; i < whole.size(); i += 4)
         covered += whole[i] != std::byte{0} ? 1u : 0u;
-    EXPECT_NEAR(double(picture.covered()), double(covered), 0.05 * double(pixelCount));
+    EXPECT_NEAR(double(picture.covered()), double(covered), 0.05 * double(test::hostPixels));
 }
 
 TEST_F(GrassStreamingTest, KeepsToItsBudgetAndUsesIt)
@@ -346,7 +344,7 @@ TEST_F(GrassStreamingTest, TellsOfTheMotionThatTheWholeFieldHas)
             moved += glm::length(motions[0][i]) > 1e-4f ? 1u : 0u;
             apart += glm::length(motions[0][i] - motions[1][i]) > 1e-4f ? 1u : 0u;
         }
-        EXPECT_GT(moved, pixelCount / 50);
+        EXPECT_GT(moved, test::hostPixels / 50);
         EXPECT_LE(apart, moved / 100);
     }
 }
@@ -376,7 +374,7 @@ TEST_F(GrassStreamingTest, FliesWithSeveralFramesInFlight)
         EXPECT_LE(grass.streamingStats().residentPages, grass.streamingStats().places);
     }
     ring.finish();
-    EXPECT_GT(picture.covered(), pixelCount / 10);
+    EXPECT_GT(picture.covered(), test::hostPixels / 10);
     EXPECT_GT(copied, meadow().blades.size() * 16 / 4) << "more than fits has come";
     expectCountsAddUp(grass, 1);
 }
@@ -414,7 +412,7 @@ TEST_F(GrassStreamingTest, KeepsTheFileItStreamsFrom)
     const HostView view = atCorner();
     const HostPicture* const pictures[]{&picture};
     settle(grass, {&view, 1}, pictures);
-    EXPECT_GT(picture.covered(), pixelCount / 10);
+    EXPECT_GT(picture.covered(), test::hostPixels / 10);
 }
 
 TEST_F(GrassStreamingTest, SaysWhatItNeeds)
@@ -494,7 +492,7 @@ TEST_F(GrassStreamingTest, TwoPassesHaveAHistoryOfAllBlades)
         meadow().blades.size() / 2 +
         (shared::cachePlaceCount + 12 * shared::maxCachedBlades) * sizeof(std::uint32_t);
     EXPECT_GE(bytes[1] - bytes[0], expected);
-    EXPECT_LT(bytes[1] - bytes[0], expected + 8 * pixelCount);
+    EXPECT_LT(bytes[1] - bytes[0], expected + 8 * test::hostPixels);
 }
 
 } // namespace

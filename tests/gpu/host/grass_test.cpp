@@ -16,8 +16,6 @@ namespace {
 using test::HostPicture;
 using test::lookingFrom;
 
-constexpr glm::uvec2 size = test::hostSize;
-
 class GrassTest : public test::GrassTest {};
 
 TEST_F(GrassTest, DrawsTheSameInEitherConventionOfDepth)
@@ -29,7 +27,7 @@ TEST_F(GrassTest, DrawsTheSameInEitherConventionOfDepth)
     const auto forward = drawnAlone(grass, 1.0, lookingFrom({2.0, 2.5, 4.0}, false));
     EXPECT_EQ(grass.stats(0, 0).drawn, drawn);
     EXPECT_GT(drawn, 1000u);
-    EXPECT_LT(test::pixelsApart(reversed, forward, 4), size.x * size.y / 100);
+    EXPECT_LT(test::pixelsApart(reversed, forward, 4), test::hostSize.x * test::hostSize.y / 100);
 }
 
 /// Only winds with strength count for the limit.
@@ -90,7 +88,9 @@ TEST_F(GrassTest, LooksTheSameWhereWorldAndCameraAreMovedTogether)
         drawFrame(there, time, {&moved, 1}, pictures, {&movedBall, 1});
         std::swap(settings_, movedSettings);
         // Rounding moves an edge by less than a pixel.
-        EXPECT_LT(test::pixelsApart(expected, picture.pixels(), 4), size.x * size.y / 20) << time;
+        EXPECT_LT(test::pixelsApart(expected, picture.pixels(), 4),
+                  test::hostSize.x * test::hostSize.y / 20)
+            << time;
         EXPECT_NEAR(double(here.stats(0, 0).drawn), double(there.stats(0, 0).drawn), 10.0);
     }
     EXPECT_GT(here.stats(0, 0).drawn, 1000u);
@@ -146,7 +146,7 @@ TEST_F(GrassTest, ComesAndGoesWhileFramesAreInFlight)
     VkDeviceSize bytesOf16 = 0;
     for (int frame = 0; frame < 12; ++frame) {
         const gpu::FrameRing::Frame recorded = ring.begin();
-        const glm::uvec2 extent(size.x + 16u * unsigned(frame % 5), size.y);
+        const glm::uvec2 extent(test::hostSize.x + 16u * unsigned(frame % 5), test::hostSize.y);
         pictures[recorded.slot] =
             std::make_unique<HostPicture>(context(), HostPicture::Settings{.size = extent});
         HostView view = lookingFrom({1.0, 4.0, 7.0});

@@ -19,7 +19,7 @@ using test::HostPicture;
 using test::StoreCanvas;
 
 /// Samples and convention of depth.
-constexpr std::pair<std::uint32_t, bool> kinds[]{{1u, true}, {4u, false}};
+constexpr std::pair<std::uint32_t, bool> twoPassKinds[]{{1u, true}, {4u, false}};
 
 class GrassTwoPassesTest : public test::GrassTest {
 protected:
@@ -121,7 +121,7 @@ void expectSame(const Drawn& one, const Drawn& two, int frames)
 
 TEST_F(GrassTwoPassesTest, TheCompositeIsThatOfOnePass)
 {
-    for (const auto& [samples, isReversed] : kinds) {
+    for (const auto& [samples, isReversed] : twoPassKinds) {
         SCOPED_TRACE(samples);
         const Drawn one = composited(samples, isReversed, 1, 1);
         for (const int frames : {1, 2, 3}) {

@@ -21,6 +21,7 @@
 namespace sward::test {
 
 constexpr glm::uvec2 hostSize(160, 90); ///< [pixels]
+constexpr std::size_t hostPixels = std::size_t(hostSize.x) * hostSize.y;
 
 /// Perspective in either convention of depth, 0.1 m to 200 m away, and the depth of something.
 glm::dmat4 perspective(bool isReversed);

@@ -17,8 +17,8 @@ namespace {
 using presentation::CameraPreset;
 using presentation::presetCamera;
 
-constexpr std::uint64_t seed = 8;
-constexpr glm::uvec2 size(160, 90);
+constexpr std::uint64_t cameraSeed = 8;
+constexpr glm::uvec2 cameraSize(160, 90);
 const Aabb box{glm::vec3(-5.0f), glm::vec3(5.0f)};
 
 Camera slanted()
@@ -34,13 +34,15 @@ Camera slanted()
 
 glm::vec3 randomPoint(std::uint64_t i, double reach)
 {
-    const auto at = [&](std::uint32_t d) { return reach * (2.0 * uniform(seed, i, d) - 1.0); };
+    const auto at = [&](std::uint32_t d) {
+        return reach * (2.0 * uniform(cameraSeed, i, d) - 1.0);
+    };
     return glm::vec3(glm::dvec3(at(0), at(1), at(2)));
 }
 
 TEST(Camera, PlanesEncloseWhatTheProjectionShows)
 {
-    const ViewMatrices view = viewMatrices(slanted(), {}, size, box);
+    const ViewMatrices view = viewMatrices(slanted(), {}, cameraSize, box);
     int inside = 0;
     for (std::uint64_t i = 0; i < 20'000; ++i) {
         const glm::vec3 point = randomPoint(i, 20.0);
@@ -52,7 +54,7 @@ TEST(Camera, PlanesEncloseWhatTheProjectionShows)
         const glm::vec4 clip = view.viewProjection * glm::vec4(point, 1.0f);
         const bool shown = std::abs(clip.x) <= clip.w && std::abs(clip.y) <= clip.w &&
                            clip.z >= 0.0f && clip.z <= clip.w;
-        ASSERT_EQ(shown, closest > 0.0f) << "point " << i << ", seed " << seed;
+        ASSERT_EQ(shown, closest > 0.0f) << "point " << i << ", seed " << cameraSeed;
         inside += shown ? 1 : 0;
     }
     EXPECT_GT(inside, 500);
@@ -62,8 +64,8 @@ TEST(Camera, APartShowsEachPointWhereTheWholeDoes)
 {
     constexpr glm::ivec2 first(-9, 37);
     constexpr glm::uvec2 part(48, 64);
-    const ViewMatrices whole = viewMatrices(slanted(), {}, size, box);
-    const ViewMatrices view = partOf(whole, size, first, part);
+    const ViewMatrices whole = viewMatrices(slanted(), {}, cameraSize, box);
+    const ViewMatrices view = partOf(whole, cameraSize, first, part);
     EXPECT_EQ(view.pixelsPerUnit, whole.pixelsPerUnit);
     const auto pixelOf = [](const ViewMatrices& of, glm::uvec2 extent, glm::vec3 point) {
         const glm::vec4 clip = of.viewProjection * glm::vec4(point, 1.0f);
@@ -73,7 +75,7 @@ TEST(Camera, APartShowsEachPointWhereTheWholeDoes)
     for (std::uint64_t i = 0; i < 60'000; ++i) {
         const glm::vec3 point = randomPoint(i, 5.0);
         const glm::vec4 clip = whole.viewProjection * glm::vec4(point, 1.0f);
-        const glm::vec2 place = pixelOf(whole, size, point) - glm::vec2(first);
+        const glm::vec2 place = pixelOf(whole, cameraSize, point) - glm::vec2(first);
         ASSERT_LT(glm::distance(pixelOf(view, part, point), place), 2e-3f) << "point " << i;
         float closest = 1e9f;
         for (const glm::vec4& plane : view.planes)
@@ -82,7 +84,7 @@ TEST(Camera, APartShowsEachPointWhereTheWholeDoes)
             continue;
         const bool shown = place.x >= 0.0f && place.y >= 0.0f && place.x <= float(part.x) &&
                            place.y <= float(part.y) && clip.z >= 0.0f && clip.z <= clip.w;
-        ASSERT_EQ(shown, closest > 0.0f) << "point " << i << ", seed " << seed;
+        ASSERT_EQ(shown, closest > 0.0f) << "point " << i << ", seed " << cameraSeed;
         inside += shown ? 1 : 0;
     }
     EXPECT_GT(inside, 500);
@@ -92,7 +94,7 @@ TEST(Camera, APartShowsEachPointWhereTheWholeDoes)
 /// its position. Shaders that shade the rasteriser's result use this.
 TEST(Camera, RaysMeetWhatIsSeen)
 {
-    const ViewMatrices view = viewMatrices(slanted(), {}, size, box);
+    const ViewMatrices view = viewMatrices(slanted(), {}, cameraSize, box);
     shared::Frame frame = {};
     look(frame, view);
     const glm::vec3 depthRow(view.viewProjection[0].z, view.viewProjection[1].z,
@@ -132,7 +134,8 @@ TEST(Camera, StandsInAirThatThinsUpwards)
     const auto densityAt = [&](float height) {
         Camera camera = slanted();
         camera.eye = {4.0, double(box.low.y) + double(height), 9.0};
-        return frameOf(field, viewMatrices(camera, {}, size, box), settings, 0.0, 1).fogDensity;
+        return frameOf(field, viewMatrices(camera, {}, cameraSize, box), settings, 0.0, 1)
+            .fogDensity;
     };
     EXPECT_FLOAT_EQ(densityAt(0.0f), 0.03f);
     EXPECT_FLOAT_EQ(densityAt(50.0f), 0.03f);
@@ -148,7 +151,7 @@ TEST(Camera, StandsInAirThatThinsUpwards)
 TEST(Camera, DepthFallsFromOneAtNearToZeroAtFar)
 {
     const Camera camera = slanted();
-    const ViewMatrices view = viewMatrices(camera, {}, size, box);
+    const ViewMatrices view = viewMatrices(camera, {}, cameraSize, box);
     const glm::dvec3 forward = glm::normalize(camera.target - camera.eye);
     const auto depth = [&](double distance) {
         const glm::vec4 clip =
@@ -164,7 +167,7 @@ TEST(Camera, UpIsUpInThePictureAndRightIsRight)
 {
     Camera camera;
     camera.eye = {0.0, 0.0, 10.0};
-    const ViewMatrices view = viewMatrices(camera, {}, size, box);
+    const ViewMatrices view = viewMatrices(camera, {}, cameraSize, box);
     const glm::vec4 above = view.viewProjection * glm::vec4(0.0f, 1.0f, 0.0f, 1.0f);
     const glm::vec4 right = view.viewProjection * glm::vec4(1.0f, 0.0f, 0.0f, 1.0f);
     EXPECT_LT(above.y, 0.0f);
@@ -177,10 +180,10 @@ TEST(Camera, SeesTheSameFromFarOutAsAtTheOrigin)
 {
     const glm::dvec3 far(1048576.0, -524288.0, 2097152.0);
     Camera camera = slanted();
-    const ViewMatrices here = viewMatrices(camera, {}, size, box);
+    const ViewMatrices here = viewMatrices(camera, {}, cameraSize, box);
     camera.eye += far;
     camera.target += far;
-    const ViewMatrices there = viewMatrices(camera, far, size, box);
+    const ViewMatrices there = viewMatrices(camera, far, cameraSize, box);
     for (glm::length_t column = 0; column < 4; ++column)
         EXPECT_LT(glm::length(here.viewProjection[column] - there.viewProjection[column]), 1e-5f);
 }
@@ -190,7 +193,7 @@ TEST(Camera, LooksStraightDownWithoutLosingItsAxes)
     Camera camera;
     camera.eye = {0.0, 10.0, 0.0};
     camera.target = {0.0, 0.0, 0.0};
-    const ViewMatrices view = viewMatrices(camera, {}, size, box);
+    const ViewMatrices view = viewMatrices(camera, {}, cameraSize, box);
     const glm::vec4 clip = view.viewProjection * glm::vec4(0.0f, 0.0f, 0.0f, 1.0f);
     EXPECT_NEAR(clip.x, 0.0f, 1e-5f);
     EXPECT_NEAR(clip.w, 10.0f, 1e-4f);
@@ -265,7 +268,7 @@ int shownFromAbove(float extent)
     const Camera camera =
         presetCamera(CameraPreset::eye, view, glm::vec3(0.0f, 1.0f, 0.0f), 16.0f / 9.0f);
     EXPECT_GT(camera.eye.y, 8.0);
-    const ViewMatrices matrices = viewMatrices(camera, field.origin, size, view.bounds());
+    const ViewMatrices matrices = viewMatrices(camera, field.origin, cameraSize, view.bounds());
     int shown = 0;
     for (const shared::Patch& cell : field.patches)
         for (std::uint32_t i = 0; i < cell.bladeCount; ++i) {

@@ -10,7 +10,7 @@
 namespace sward::render {
 namespace {
 
-shared::Eyepoint eyeAt(glm::vec3 place)
+shared::Eyepoint movedEyeAt(glm::vec3 place)
 {
     shared::Eyepoint eye = {};
     eye.eye = place;
@@ -27,7 +27,7 @@ std::vector<shared::Eyepoint> expectedAfter(const std::vector<glm::vec3>& places
     EyeMotion motion;
     std::vector<shared::Eyepoint> ahead;
     for (const glm::vec3 place : places) {
-        const shared::Eyepoint eye = eyeAt(place);
+        const shared::Eyepoint eye = movedEyeAt(place);
         const auto found = motion.ahead({&eye, 1});
         ahead.assign(found.begin(), found.end());
     }
@@ -41,7 +41,7 @@ TEST(EyeMotion, MovesEyesAheadByTheirSteps)
     const glm::vec3 step(0.3f, 0.0f, -0.1f);
     const auto ahead = expectedAfter({start, start + step, start + 2.0f * step});
     ASSERT_EQ(ahead.size(), 1u);
-    const shared::Eyepoint expected = eyeAt(start + (2.0f + EyeMotion::leadFrames) * step);
+    const shared::Eyepoint expected = movedEyeAt(start + (2.0f + EyeMotion::leadFrames) * step);
     EXPECT_LT(glm::distance(ahead[0].eye, expected.eye), 1e-3f);
     for (int plane = 0; plane < 6; ++plane)
         EXPECT_NEAR(ahead[0].planes[plane].w, expected.planes[plane].w, 1e-3f);
@@ -66,13 +66,14 @@ TEST(EyeMotion, ExpectsNothingOfEyesThatStandJumpOrTurnBack)
 TEST(EyeMotion, BeginsAnewWithOtherNumbersOfEyes)
 {
     EyeMotion motion;
-    std::vector<shared::Eyepoint> eyes{eyeAt(start)};
+    std::vector<shared::Eyepoint> eyes{movedEyeAt(start)};
     for (int frame = 0; frame < 3; ++frame) {
-        eyes[0] = eyeAt(eyes[0].eye + glm::vec3(0.0f, 0.0f, 0.5f));
+        eyes[0] = movedEyeAt(eyes[0].eye + glm::vec3(0.0f, 0.0f, 0.5f));
         motion.ahead(eyes);
     }
-    EXPECT_EQ(motion.ahead(std::vector{eyeAt(eyes[0].eye + glm::vec3(0.0f, 0.0f, 0.5f))}).size(),
-              1u);
+    EXPECT_EQ(
+        motion.ahead(std::vector{movedEyeAt(eyes[0].eye + glm::vec3(0.0f, 0.0f, 0.5f))}).size(),
+        1u);
     EXPECT_TRUE(motion.ahead(std::vector{eyes[0], eyes[0]}).empty());
 }
 

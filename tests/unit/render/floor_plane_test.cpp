@@ -37,7 +37,7 @@ field::DisplayGround surface(const std::function<glm::vec3(float u, float v)>& p
     return ground;
 }
 
-field::DisplayGround ball()
+field::DisplayGround groundBall()
 {
     return surface([](float u, float v) {
         const float turn = glm::two_pi<float>() * u;
@@ -99,7 +99,7 @@ TEST(FloorPlane, TouchesTheRimOfASheetWhateverHangsBelowIt)
 
 TEST(FloorPlane, IsNotBelowABallNorWithoutGround)
 {
-    EXPECT_EQ(floorPlaneOf(ball(), up).reach, 0.0f);
+    EXPECT_EQ(floorPlaneOf(groundBall(), up).reach, 0.0f);
     EXPECT_EQ(floorPlaneOf(ring(), {1.0f, 0.0f, 0.0f}).reach, 0.0f) << "a ring on its edge";
     EXPECT_EQ(floorPlaneOf({}, up).reach, 0.0f);
 }

@@ -25,7 +25,7 @@ using presentation::GroundSurface;
 using presentation::presetCamera;
 
 constexpr double pi = std::numbers::pi;
-constexpr std::uint64_t seed = 37;
+constexpr std::uint64_t presetSeed = 37;
 constexpr float aspect = 16.0f / 9.0f;
 constexpr int columns = 32;
 constexpr int rows = 18;
@@ -98,7 +98,7 @@ Triangles islands()
 {
     Triangles shape;
     for (std::uint64_t i = 0; i < 30; ++i) {
-        const auto dice = [i](std::uint32_t d) { return uniform(seed, i, d); };
+        const auto dice = [i](std::uint32_t d) { return uniform(presetSeed, i, d); };
         const double size = 3.0 + 4.0 * dice(3);
         addBall(shape, {100.0 * dice(0), 12.0 * dice(1), 100.0 * dice(2)},
                 {size, 0.4 * size, size});
@@ -147,11 +147,11 @@ field::Field fieldOn(const Triangles& shape, glm::dvec3 origin, glm::vec3 up)
     cell.widthLow = 0.1f * cell.heightLow;
     cell.bladeCount = bladeCount;
     for (std::size_t i = 0; i < bladeCount; ++i) {
-        const double place = uniform(seed, i, 0) * areas.back();
+        const double place = uniform(presetSeed, i, 0) * areas.back();
         const auto found = std::upper_bound(areas.begin(), areas.end(), place) - areas.begin();
         const glm::vec3* const corner = &shape[3 * static_cast<std::size_t>(found - 1)];
-        auto b = static_cast<float>(uniform(seed, i, 1));
-        auto c = static_cast<float>(uniform(seed, i, 2));
+        auto b = static_cast<float>(uniform(presetSeed, i, 1));
+        auto c = static_cast<float>(uniform(presetSeed, i, 2));
         if (b + c > 1.0f) {
             b = 1.0f - b;
             c = 1.0f - c;

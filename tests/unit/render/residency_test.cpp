@@ -18,15 +18,17 @@
 namespace sward::render {
 namespace {
 
-constexpr std::uint64_t seed = 26;
-constexpr glm::uvec2 size(160, 100);
+constexpr std::uint64_t residencySeed = 26;
+constexpr glm::uvec2 residencySize(160, 100);
 
 class ResidencyTest : public testing::Test {
 protected:
     static const field::Field& cloud()
     {
-        static const field::Field field = test::makeField(
-            {.surface = test::Surface::cloud, .blades = 60'000, .extent = 60.0f, .seed = seed});
+        static const field::Field field = test::makeField({.surface = test::Surface::cloud,
+                                                           .blades = 60'000,
+                                                           .extent = 60.0f,
+                                                           .seed = residencySeed});
         return field;
     }
 
@@ -36,14 +38,14 @@ protected:
         FrameSettings settings;
         settings.lodThreshold = 1.0f;
         return frameOf({{}, view.bounds(), field::meanBladeSize(view)},
-                       viewMatrices(camera, {}, size, view.bounds()), settings, 0.0, 1)
+                       viewMatrices(camera, {}, residencySize, view.bounds()), settings, 0.0, 1)
             .view;
     }
 
     static Camera randomCamera(std::uint64_t index)
     {
         const auto at = [index](double reach, std::uint32_t dimension) {
-            return reach * (2.0 * uniform(seed, index, dimension) - 1.0);
+            return reach * (2.0 * uniform(residencySeed, index, dimension) - 1.0);
         };
         Camera camera;
         camera.eye = {at(30.0, 0), at(30.0, 1), at(30.0, 2)};

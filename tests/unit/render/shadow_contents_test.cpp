@@ -17,7 +17,7 @@ const Aabb ground{{-50.0f, 0.0f, -50.0f}, {50.0f, 3.0f, 50.0f}};
 const glm::vec3 sun = glm::normalize(glm::vec3(0.5f, 1.0f, 0.3f));
 const shared::SunShadow view = sunShadowOf(ground, sun, sunShadowSize);
 
-shared::Collider ball(glm::vec3 place, float radius = 0.5f)
+shared::Collider colliderBall(glm::vec3 place, float radius = 0.5f)
 {
     shared::Collider result = {};
     result.from = result.to = place;
@@ -52,7 +52,7 @@ TEST(ShadowContents, DrawsTheGroundOnceForEachPlaceOfTheSun)
 TEST(ShadowContents, DrawsARestingColliderOnce)
 {
     ShadowContents contents;
-    shared::Collider one = ball({0.0f, 0.5f, 0.0f});
+    shared::Collider one = colliderBall({0.0f, 0.5f, 0.0f});
     const ShadowChanges first = contents.follow(view, sun, {&one, 1});
     EXPECT_TRUE(first.ground);
     EXPECT_EQ(first.colliders.size(), 1u);
@@ -74,11 +74,11 @@ TEST(ShadowContents, DrawsNoColliderWhoseShadowFallsBesideTheGround)
     for (const glm::vec3 place :
          {glm::vec3(0.0f, 500.0f, 0.0f), glm::vec3(200.0f, 0.0f, 0.0f), -300.0f * sun})
         for (float way = 0.0f; way < 3.0f; way += 1.0f) {
-            const shared::Collider moving = ball(place + glm::vec3(way, 0.0f, 0.0f));
+            const shared::Collider moving = colliderBall(place + glm::vec3(way, 0.0f, 0.0f));
             EXPECT_TRUE(contents.follow(view, sun, {&moving, 1}).isNone()) << place.x << ' ' << way;
         }
     // From 500 m along the sun's ray it shades the middle.
-    const shared::Collider above = ball(500.0f * sun);
+    const shared::Collider above = colliderBall(500.0f * sun);
     EXPECT_EQ(contents.follow(view, sun, {&above, 1}).colliders.size(), 1u);
 }
 
@@ -86,8 +86,9 @@ TEST(ShadowContents, DrawsAroundWhatMovesAndNothingElse)
 {
     ShadowContents contents;
     // The second touches the first, the third is far away.
-    std::vector<shared::Collider> three{ball({0.0f, 0.5f, 0.0f}), ball({0.4f, 0.5f, 0.0f}),
-                                        ball({30.0f, 0.5f, 30.0f})};
+    std::vector<shared::Collider> three{colliderBall({0.0f, 0.5f, 0.0f}),
+                                        colliderBall({0.4f, 0.5f, 0.0f}),
+                                        colliderBall({30.0f, 0.5f, 30.0f})};
     contents.follow(view, sun, three);
     three[0].from.x = three[0].to.x = -0.2f;
     const ShadowChanges changes = contents.follow(view, sun, three);
@@ -108,9 +109,9 @@ TEST(ShadowContents, PartsHoldTheWholeShadowAndDoNotOverlap)
         return static_cast<float>(uniform(41, i, dimension));
     };
     for (std::uint64_t i = 0; i < 64; ++i) {
-        many.push_back(
-            ball(100.0f * glm::vec3(dice(i, 0) - 0.5f, 0.1f * dice(i, 1), dice(i, 2) - 0.5f),
-                 0.1f + 4.0f * dice(i, 3)));
+        many.push_back(colliderBall(
+            100.0f * glm::vec3(dice(i, 0) - 0.5f, 0.1f * dice(i, 1), dice(i, 2) - 0.5f),
+            0.1f + 4.0f * dice(i, 3)));
         many.back().to += 5.0f * glm::vec3(dice(i, 4), dice(i, 5), dice(i, 6));
     }
     const ShadowChanges changes = contents.follow(view, sun, many);

@@ -182,7 +182,7 @@ struct Ground {
     field::SeedsView seeds;
 };
 
-shared::Eyepoint eyeAt(glm::vec3 place)
+shared::Eyepoint sowingEyeAt(glm::vec3 place)
 {
     shared::Eyepoint view = {};
     view.eye = place;
@@ -196,7 +196,7 @@ TEST(SowChoice, WantsWhatIsDrawnTheNearestFirst)
 {
     const Ground ground;
     SowChoice choice(ground.seeds);
-    const shared::Eyepoint eye = eyeAt({3.0f, 2.0f, 5.0f});
+    const shared::Eyepoint eye = sowingEyeAt({3.0f, 2.0f, 5.0f});
     std::vector<SowChoice::Wanted> wanted;
     choice.find({&eye, 1}, wanted);
     ASSERT_EQ(wanted.size(), 64U);
@@ -249,7 +249,7 @@ TEST(SowChoice, WantsWhatIsDrawnTheNearestFirst)
     std::vector<SowChoice::Wanted> again;
     choice.find({&turned, 1}, again);
     EXPECT_EQ(again.size(), wanted.size());
-    const shared::Eyepoint away = eyeAt({1e6f, 0.0f, 0.0f});
+    const shared::Eyepoint away = sowingEyeAt({1e6f, 0.0f, 0.0f});
     shared::Eyepoint limited = away;
     limited.cullMask = shared::cullDistance;
     limited.drawDistance = 500.0f;
@@ -268,7 +268,7 @@ TEST(SowChoice, LevelOfDetailKeepsToTheRoom)
     for (const double room : {2e6, 5e6, 2e7, 1e8}) {
         for (const float full : {3.0f, 12.0f, 40.0f}) {
             shape.sown.room = room;
-            shared::Eyepoint eye = eyeAt({});
+            shared::Eyepoint eye = sowingEyeAt({});
             eye.lodWidth = full * eye.lodThreshold / eye.pixelsPerUnit;
             eye.sparseFrom = sparseDistance(shape, full, 0.0f);
             eye.sparseLeast = static_cast<float>(shape.sown.stored);
@@ -324,7 +324,7 @@ TEST(SowChoice, WantsWhatTheRoomHolds)
     for (const double room : {3e6, 6e6, 1.2e7, 4e7}) {
         for (const float full : {8.0f, 12.0f, 20.0f}) {
             shape.sown.room = room;
-            shared::Eyepoint eye = eyeAt({3.0f, 2.0f, 5.0f});
+            shared::Eyepoint eye = sowingEyeAt({3.0f, 2.0f, 5.0f});
             eye.lodWidth = full * eye.lodThreshold / eye.pixelsPerUnit;
             eye.sparseFrom = sparseDistance(shape, full, 2.0f);
             eye.sparseLeast = static_cast<float>(shape.sown.stored);
@@ -348,10 +348,10 @@ TEST(SowChoice, WantsWhatTheRoomHolds)
 
 TEST(SowChoice, LeavesThatAreNotDrawnAreTheGrounds)
 {
-    shared::Eyepoint eye = eyeAt({});
+    shared::Eyepoint eye = sowingEyeAt({});
     eye.sparseFrom = 10.0f;
     eye.sparseLeast = 1e-4f;
-    const shared::Eyepoint whole = eyeAt({});
+    const shared::Eyepoint whole = sowingEyeAt({});
     for (const float distance : {1.0f, 9.0f, 15.0f, 60.0f, 300.0f, 3000.0f}) {
         // The area of the drawn blades: shares of ranks times widths.
         double drawn = 0.0;

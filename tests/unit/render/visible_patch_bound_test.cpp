@@ -18,21 +18,21 @@
 namespace sward::render {
 namespace {
 
-constexpr std::uint64_t seed = 29;
-constexpr glm::uvec2 size(320, 180);
+constexpr std::uint64_t patchBoundSeed = 29;
+constexpr glm::uvec2 patchBoundSize(320, 180);
 constexpr std::size_t allNodes = std::numeric_limits<std::size_t>::max();
 
 /// Cameras in a cube of 10 m, around it, and far enough that most blades are thinned out.
 Camera randomCamera(std::uint64_t index)
 {
     const auto at = [index](double reach, std::uint32_t dimension) {
-        return reach * (2.0 * uniform(seed, index, dimension) - 1.0);
+        return reach * (2.0 * uniform(patchBoundSeed, index, dimension) - 1.0);
     };
     const double reach = std::array{6.0, 12.0, 150.0}[index % 3];
     Camera camera;
     camera.eye = {at(reach, 0), at(reach, 1), at(reach, 2)};
     camera.target = {at(9.0, 3), at(9.0, 4), at(9.0, 5)};
-    camera.fovY = static_cast<float>(15.0 + 75.0 * uniform(seed, index, 6));
+    camera.fovY = static_cast<float>(15.0 + 75.0 * uniform(patchBoundSeed, index, 6));
     return camera;
 }
 
@@ -45,7 +45,8 @@ shared::Eyepoint viewOf(const field::FieldView& field, std::uint64_t camera, boo
     settings.lodThreshold = 1.0f;
     settings.environment.drawDistance = camera % 5 == 4 ? 7.0f : 200.0f;
     return frameOf({{}, field.bounds(), field::meanBladeSize(field)},
-                   viewMatrices(randomCamera(camera), {}, size, field.bounds()), settings, 1.0, 1)
+                   viewMatrices(randomCamera(camera), {}, patchBoundSize, field.bounds()), settings,
+                   1.0, 1)
         .view;
 }
 
@@ -78,7 +79,7 @@ TEST(VisiblePatchBoundTest, IsNeverLessThanAWalkFinds)
     for (const test::Surface surface :
          {test::Surface::plane, test::Surface::sphere, test::Surface::cloud}) {
         const field::Field stored =
-            test::makeField({.surface = surface, .blades = 20'000, .seed = seed});
+            test::makeField({.surface = surface, .blades = 20'000, .seed = patchBoundSeed});
         const field::FieldView field = field::viewOf(stored);
         for (const std::size_t nodes : {std::size_t(0), std::size_t(20), allNodes}) {
             const VisiblePatchBound bound(field, nodes);
@@ -102,8 +103,8 @@ TEST(VisiblePatchBoundTest, IsNeverLessThanAWalkFinds)
 
 TEST(VisiblePatchBoundTest, IsWhatAWalkFindsWhereAllNodesAreLookedAt)
 {
-    const field::Field stored =
-        test::makeField({.surface = test::Surface::cloud, .blades = 20'000, .seed = seed});
+    const field::Field stored = test::makeField(
+        {.surface = test::Surface::cloud, .blades = 20'000, .seed = patchBoundSeed});
     const field::FieldView field = field::viewOf(stored);
     const VisiblePatchBound bound(field, allNodes);
     std::uint64_t told = 0;

@@ -21,7 +21,7 @@ Patch somePatch()
     return patch;
 }
 
-Blade randomBlade(tests::Dice& dice, const Patch& patch)
+Blade packedBlade(tests::Dice& dice, const Patch& patch)
 {
     Blade blade;
     const float extent = patch.rootStep * 65535.0f;
@@ -47,7 +47,7 @@ TEST(PackedBlade, KeepsEachFieldWithinItsStatedError)
     // Positions around 100 m carry rounding of 2⁻¹⁷ m beside the quantisation.
     const float rootError = 0.5f * patch.rootStep + 1.6e-5f;
     for (int i = 0; i < 100'000; ++i) {
-        const Blade blade = randomBlade(dice, patch);
+        const Blade blade = packedBlade(dice, patch);
         const Blade back = unpackBlade(packBlade(blade, patch), patch);
         for (glm::length_t axis = 0; axis < 3; ++axis) {
             ASSERT_NEAR(back.root[axis], blade.root[axis], rootError);
@@ -71,7 +71,7 @@ TEST(PackedBlade, PacksToItselfAgain)
     const Patch patch = somePatch();
     tests::Dice dice(5);
     for (int i = 0; i < 20'000; ++i) {
-        const PackedBlade once = packBlade(randomBlade(dice, patch), patch);
+        const PackedBlade once = packBlade(packedBlade(dice, patch), patch);
         const PackedBlade twice = packBlade(unpackBlade(once, patch), patch);
         ASSERT_EQ(once.rootXY, twice.rootXY);
         ASSERT_EQ(once.rootZUp & 65535U, twice.rootZUp & 65535U);
@@ -84,7 +84,7 @@ TEST(PackedBlade, SaturatesOutsideItsPatch)
 {
     const Patch patch = somePatch();
     tests::Dice dice(6);
-    Blade blade = randomBlade(dice, patch);
+    Blade blade = packedBlade(dice, patch);
     blade.root = vec3(1e6f, -1e6f, 7.0f);
     blade.height = 100.0f;
     blade.width = -1.0f;
@@ -102,7 +102,7 @@ TEST(PackedBlade, LivesInAPatchOfOneSize)
     flat.heightLow = 0.5f;
     flat.widthLow = 0.01f;
     tests::Dice dice(7);
-    Blade blade = randomBlade(dice, somePatch());
+    Blade blade = packedBlade(dice, somePatch());
     blade.root = vec3(1, 2, 3);
     blade.height = 0.5f;
     blade.width = 0.01f;
@@ -117,7 +117,7 @@ TEST(BladeSeed, StaysWhereverThePatchMovesTheBlade)
     tests::Dice dice(9);
     const Patch patch = somePatch();
     for (int i = 0; i < 10'000; ++i) {
-        const Blade blade = randomBlade(dice, patch);
+        const Blade blade = packedBlade(dice, patch);
         const uint up = encodeOctahedral(blade.up);
         Patch other = patch;
         other.rootLow += vec3(-3.0f, 0.5f, 0.25f);
@@ -134,7 +134,7 @@ TEST(BladeSeed, IsUniformOverTheBladesOfOnePlace)
 {
     tests::Dice dice(10);
     const Patch patch = somePatch();
-    Blade blade = randomBlade(dice, patch);
+    Blade blade = packedBlade(dice, patch);
     blade.up = vec3(0.0f, 1.0f, 0.0f);
     constexpr int blades = 64'000;
     constexpr int bins = 64;

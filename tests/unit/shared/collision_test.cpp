@@ -11,8 +11,8 @@
 namespace sward::shared {
 namespace {
 
-constexpr float recovery = 6.0f;
-constexpr Gravity gravity{vec3(0, -1, 0), 6.5f, vec3(0.0f), 0.0f, forwardShare};
+constexpr float collisionRecovery = 6.0f;
+constexpr Gravity collisionGravity{vec3(0, -1, 0), 6.5f, vec3(0.0f), 0.0f, forwardShare};
 
 Collider sphere(vec3 centre, float radius)
 {
@@ -30,7 +30,7 @@ Blade bladeAt(tests::Dice& dice, vec3 root)
     return blade;
 }
 
-vec3 frontOfBlade(const Blade& blade)
+vec3 collisionFront(const Blade& blade)
 {
     return frontOf(blade.up, widthAxis(blade.up, blade.facing));
 }
@@ -38,7 +38,7 @@ vec3 frontOfBlade(const Blade& blade)
 /// Relative to the root, in heights.
 vec3 tipOf(const Blade& blade, const BladeState& state)
 {
-    return poseOfState(axesTowards(blade.up, frontOfBlade(blade)), state).v2;
+    return poseOfState(axesTowards(blade.up, collisionFront(blade)), state).v2;
 }
 
 /// Moves a blade frame by frame of 1/60 s.
@@ -46,8 +46,8 @@ BladeState after(int frames, const Blade& blade, BladeState state,
                  const tests::EnvironmentTables& tables)
 {
     for (int frame = 1; frame <= frames; ++frame)
-        state = advanceBlade(blade, tables.environment(gravity, recovery), tables.everyCollider(),
-                             state, float(frame) / 60.0f, 1.0f / 60.0f);
+        state = advanceBlade(blade, tables.environment(collisionGravity, collisionRecovery),
+                             tables.everyCollider(), state, float(frame) / 60.0f, 1.0f / 60.0f);
     return state;
 }
 
@@ -55,7 +55,7 @@ BladeState after(int frames, const Blade& blade, BladeState state,
 float depthOf(const Blade& blade, const BladeState& state, const Collider& collider)
 {
     const Collider seen = colliderSeenFrom(collider, blade.root, blade.height, 0.0f);
-    const vec3 front = frontOfBlade(blade);
+    const vec3 front = collisionFront(blade);
     const Pose pose = poseOfState(axesTowards(blade.up, front), state);
     return std::max(length(pushOut(seen, pose.v2, front)),
                     length(pushOut(seen, 0.5f * pose.v1 + 0.25f * pose.v2, front)));
@@ -184,8 +184,9 @@ TEST(Collision, MeetsABladeBetweenTwoFrames)
     Blade blade = bladeAt(dice, vec3(0.0f));
     blade.up = vec3(0, 1, 0);
     blade.height = 0.5f;
-    const BladeState state = advanceBlade(blade, tables.environment(gravity, recovery),
-                                          tables.everyCollider(), BladeState{0, 0.0f}, 0.1f, 0.1f);
+    const BladeState state =
+        advanceBlade(blade, tables.environment(collisionGravity, collisionRecovery),
+                     tables.everyCollider(), BladeState{0, 0.0f}, 0.1f, 0.1f);
     EXPECT_GT(state.eta, 0.05f);
 }
 
@@ -201,11 +202,11 @@ TEST(Collision, AnyFrameTimeIsSafe)
             const tests::EnvironmentTables tables({tests::windSourceOf(windNoise, 8.0f)},
                                                   {ball, sphere(vec3(0.0f), 0.3f)});
             const Blade blade = bladeAt(dice, vec3(0.0f));
-            const vec3 front = frontOfBlade(blade);
+            const vec3 front = collisionFront(blade);
             const vec3 tip = poseBlade(blade.up, front, dice.direction()).v2;
             BladeState state = stateOf(blade.up, front, normalize(tip), dice.number(0, 1));
             for (int frame = 1; frame <= 4; ++frame) {
-                state = advanceBlade(blade, tables.environment(gravity, recovery),
+                state = advanceBlade(blade, tables.environment(collisionGravity, collisionRecovery),
                                      tables.everyCollider(), state, dt * float(frame), dt);
                 const vec3 now = tipOf(blade, state);
                 ASSERT_TRUE(std::isfinite(now.x + now.y + now.z + state.eta));

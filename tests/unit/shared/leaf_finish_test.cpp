@@ -10,7 +10,7 @@
 namespace sward::shared {
 namespace {
 
-constexpr double pi = 3.14159265358979323846;
+constexpr double finishPi = 3.14159265358979323846;
 
 // Mean of toneAlong() over the area of an outline.
 glm::dvec3 meanTone(uint finish, uint shape, float threshold, uint seed)
@@ -108,10 +108,10 @@ double overHemisphere(const Shine& shine)
         for (int k = 0; k < steps; ++k) {
             const float z = (float(i) + 0.5f) / float(rings);
             const float side = std::sqrt(1.0f - z * z);
-            const auto angle = float(2.0 * pi * (double(k) + 0.5) / steps);
+            const auto angle = float(2.0 * finishPi * (double(k) + 0.5) / steps);
             sum += double(shine(vec3(side * std::cos(angle), side * std::sin(angle), z)));
         }
-    return sum * 2.0 * pi / (double(rings) * steps);
+    return sum * 2.0 * finishPi / (double(rings) * steps);
 }
 
 vec3 eyeAt(float cosine, float azimuth)
@@ -130,17 +130,17 @@ double mirroredByFacets(vec3 source, vec3 eye)
     const double ax = double(roughnessAcross);
     const double ay = double(roughnessAlong);
     const double slopes = (h.x * h.x / (ax * ax) + h.y * h.y / (ay * ay)) / (h.z * h.z);
-    const double facets = std::exp(-slopes) / (pi * ax * ay * std::pow(h.z, 4.0));
+    const double facets = std::exp(-slopes) / (finishPi * ax * ay * std::pow(h.z, 4.0));
     const auto masked = [&](const glm::dvec3& w) {
         const double a = w.z / std::max(std::sqrt(w.x * w.x * ax * ax + w.y * w.y * ay * ay), 1e-9);
-        return 0.5 * (std::erf(a) - 1.0 + std::exp(-a * a) / (a * std::sqrt(pi)));
+        return 0.5 * (std::erf(a) - 1.0 + std::exp(-a * a) / (a * std::sqrt(finishPi)));
     };
     const double cosine = glm::dot(l, h);
     const double g = std::sqrt(1.32 * 1.32 - 1.0 + cosine * cosine);
     const double across = (g - cosine) / (g + cosine);
     const double along = (cosine * (g + cosine) - 1.0) / (cosine * (g - cosine) + 1.0);
     const double fresnel = 0.5 * across * across * (1.0 + along * along);
-    return pi * fresnel * facets / ((1.0 + masked(l) + masked(v)) * 4.0 * v.z);
+    return finishPi * fresnel * facets / ((1.0 + masked(l) + masked(v)) * 4.0 * v.z);
 }
 
 TEST(LeafFinish, CoatMirrorsAsMuchAsItsFacets)
@@ -152,9 +152,9 @@ TEST(LeafFinish, CoatMirrorsAsMuchAsItsFacets)
         for (const float azimuth : {0.0f, 0.785f, 1.571f}) {
             const vec3 eye = eyeAt(cosine, azimuth);
             const double mirrored =
-                overHemisphere([&](vec3 in) { return coatShine(up, veins, in, eye); }) / pi;
+                overHemisphere([&](vec3 in) { return coatShine(up, veins, in, eye); }) / finishPi;
             const double facets =
-                overHemisphere([&](vec3 in) { return mirroredByFacets(in, eye); }) / pi;
+                overHemisphere([&](vec3 in) { return mirroredByFacets(in, eye); }) / finishPi;
             EXPECT_LE(mirrored, 0.35);
             EXPECT_NEAR(mirrored, facets,
                         cosine < 0.1f   ? 0.12

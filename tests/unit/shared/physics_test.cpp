@@ -9,7 +9,7 @@
 namespace sward::shared {
 namespace {
 
-Blade randomBlade(tests::Dice& dice)
+Blade physicsBlade(tests::Dice& dice)
 {
     Blade blade = {};
     blade.root = vec3(dice.number(-50, 50), dice.number(-50, 50), dice.number(-50, 50));
@@ -38,9 +38,9 @@ tests::EnvironmentTables still()
     return tests::EnvironmentTables();
 }
 
-constexpr float recovery = 6.0f;
+constexpr float physicsRecovery = 6.0f;
 
-vec3 frontOfBlade(const Blade& blade)
+vec3 physicsFront(const Blade& blade)
 {
     return frontOf(blade.up, widthAxis(blade.up, blade.facing));
 }
@@ -48,20 +48,20 @@ vec3 frontOfBlade(const Blade& blade)
 BladeState advanced(const Blade& blade, const BladeState& state, Gravity gravity,
                     const tests::EnvironmentTables& tables, float time, float elapsed)
 {
-    return advanceBlade(blade, tables.environment(gravity, recovery), noColliders(), state, time,
-                        elapsed);
+    return advanceBlade(blade, tables.environment(gravity, physicsRecovery), noColliders(), state,
+                        time, elapsed);
 }
 
 /// Of the tip, in heights.
 float fromRest(const Blade& blade, const BladeState& state)
 {
-    return length(poseOfState(axesTowards(blade.up, frontOfBlade(blade)), state).v2 - blade.up);
+    return length(poseOfState(axesTowards(blade.up, physicsFront(blade)), state).v2 - blade.up);
 }
 
 /// State of a blade with its tip anywhere above its ground or on it.
 BladeState stateTowards(const Blade& blade, const vec3& direction, float eta)
 {
-    const vec3 front = frontOfBlade(blade);
+    const vec3 front = physicsFront(blade);
     return stateOf(blade.up, front, normalize(poseBlade(blade.up, front, direction).v2), eta);
 }
 
@@ -76,8 +76,8 @@ TEST(BladeState, KeepsTheTipsDirectionWithinTheStatedError)
 {
     tests::Dice dice(1);
     for (int i = 0; i < 100'000; ++i) {
-        const Blade blade = randomBlade(dice);
-        const vec3 front = frontOfBlade(blade);
+        const Blade blade = physicsBlade(dice);
+        const vec3 front = physicsFront(blade);
         // Every eighth lies on the ground, or nearly.
         vec3 direction = dice.direction();
         if (i % 8 == 0)
@@ -101,9 +101,9 @@ TEST(BladeState, OfZerosStandsStraightUp)
 {
     tests::Dice dice(11);
     for (int i = 0; i < 1000; ++i) {
-        const Blade blade = randomBlade(dice);
-        EXPECT_EQ(directionOf(blade.up, frontOfBlade(blade), BladeState{0, 0.0f}), blade.up);
-        EXPECT_EQ(stateOf(blade.up, frontOfBlade(blade), blade.up, 0.0f).turn, 0u);
+        const Blade blade = physicsBlade(dice);
+        EXPECT_EQ(directionOf(blade.up, physicsFront(blade), BladeState{0, 0.0f}), blade.up);
+        EXPECT_EQ(stateOf(blade.up, physicsFront(blade), blade.up, 0.0f).turn, 0u);
     }
 }
 
@@ -111,11 +111,11 @@ TEST(Pose, NeverPutsTheTipBelowTheBladesGround)
 {
     tests::Dice dice(2);
     for (int i = 0; i < 100'000; ++i) {
-        const Blade blade = randomBlade(dice);
+        const Blade blade = physicsBlade(dice);
         // Every fourth tip is nearly straight below the root.
         const vec3 tip = i % 4 == 0 ? -3.0f * blade.up + 5e-4f * dice.direction()
                                     : dice.direction() * dice.number(0.0f, 3.0f);
-        const Pose pose = poseBlade(blade.up, frontOfBlade(blade), tip);
+        const Pose pose = poseBlade(blade.up, physicsFront(blade), tip);
         ASSERT_GE(dot(pose.v2, blade.up), -1e-6f);
         ASSERT_GE(dot(pose.v1, blade.up), 0.0f);
     }
@@ -125,8 +125,8 @@ TEST(Pose, ValidatedTwiceIsTheSame)
 {
     tests::Dice dice(3);
     for (int i = 0; i < 100'000; ++i) {
-        const Blade blade = randomBlade(dice);
-        const vec3 front = frontOfBlade(blade);
+        const Blade blade = physicsBlade(dice);
+        const vec3 front = physicsFront(blade);
         const Pose once = poseBlade(blade.up, front, dice.direction() * dice.number(0.1f, 3.0f));
         const Pose twice = poseBlade(blade.up, front, once.v2);
         ASSERT_LT(length(once.v1 - twice.v1), 2e-5f);
@@ -149,7 +149,7 @@ TEST(Physics, WithoutForceNothingMoves)
 {
     tests::Dice dice(4);
     for (int i = 0; i < 2000; ++i) {
-        const Blade blade = randomBlade(dice);
+        const Blade blade = physicsBlade(dice);
         BladeState state = BladeState{0, 0.0f};
         for (int frame = 0; frame < 10; ++frame)
             ASSERT_LE(
@@ -162,7 +162,7 @@ TEST(Physics, StiffnessOneDoesNotMove)
 {
     tests::Dice dice(5);
     for (int i = 0; i < 2000; ++i) {
-        Blade blade = randomBlade(dice);
+        Blade blade = physicsBlade(dice);
         blade.stiffness = 1.0f;
         BladeState state = BladeState{0, 0.0f};
         for (int frame = 0; frame < 10; ++frame)
@@ -176,7 +176,7 @@ TEST(Physics, ABentBladeRisesAgainAndNeverSwingsBeyond)
 {
     tests::Dice dice(6);
     for (int i = 0; i < 2000; ++i) {
-        const Blade blade = randomBlade(dice);
+        const Blade blade = physicsBlade(dice);
         BladeState state = stateTowards(blade, dice.direction(), 0.0f);
         // Energy does not grow: without forces the tip's distance from rest never increases.
         float last = fromRest(blade, state);
@@ -193,9 +193,9 @@ TEST(Physics, ABentBladeRisesAgainAndNeverSwingsBeyond)
 TEST(Physics, CollisionStrengthSoftensRecoveryAndFades)
 {
     tests::Dice dice(7);
-    const Blade blade = randomBlade(dice);
-    BladeState trampled = stateTowards(blade, frontOfBlade(blade), 1.0f);
-    BladeState free = stateTowards(blade, frontOfBlade(blade), 0.0f);
+    const Blade blade = physicsBlade(dice);
+    BladeState trampled = stateTowards(blade, physicsFront(blade), 1.0f);
+    BladeState free = stateTowards(blade, physicsFront(blade), 0.0f);
     const float slow = displacementAfter(blade, trampled, downward(0.0f), still(), 0.1f, 0.1f);
     const float quick = displacementAfter(blade, free, downward(0.0f), still(), 0.1f, 0.1f);
     EXPECT_GT(slow, quick + 0.1f);
@@ -209,12 +209,12 @@ TEST(Physics, AnyFrameTimeIsSafe)
     tests::Dice dice(8);
     for (const float dt : {0.0f, 1e-6f, 1.0f / 240.0f, 1.0f / 10.0f, 2.0f, 60.0f, 1e5f}) {
         for (int i = 0; i < 500; ++i) {
-            const Blade blade = randomBlade(dice);
+            const Blade blade = physicsBlade(dice);
             BladeState state = stateTowards(blade, dice.direction(), dice.number(0, 1));
             for (int frame = 1; frame <= 5; ++frame) {
                 state =
                     advanced(blade, state, downward(8.0f), someWind(20.0f), dt * float(frame), dt);
-                const Pose pose = poseOfState(axesTowards(blade.up, frontOfBlade(blade)), state);
+                const Pose pose = poseOfState(axesTowards(blade.up, physicsFront(blade)), state);
                 ASSERT_TRUE(std::isfinite(pose.v2.x + pose.v2.y + pose.v2.z + state.eta));
                 ASSERT_GE(dot(pose.v2, blade.up), -1e-4f) << "dt " << dt;
                 ASSERT_LE(length(pose.v2), 1.001f) << "dt " << dt;
@@ -229,7 +229,7 @@ TEST(Physics, OneLongFrameEndsWhereManyShortOnesDo)
     double squared = 0.0;
     constexpr int blades = 500;
     for (int i = 0; i < blades; ++i) {
-        const Blade blade = randomBlade(dice);
+        const Blade blade = physicsBlade(dice);
         BladeState fine = BladeState{0, 0.0f};
         BladeState coarse = fine;
         for (int frame = 1; frame <= 1200; ++frame)
@@ -238,7 +238,7 @@ TEST(Physics, OneLongFrameEndsWhereManyShortOnesDo)
         for (int frame = 1; frame <= 60; ++frame)
             coarse = advanced(blade, coarse, downward(2.0f), someWind(2.0f), float(frame) / 30.0f,
                               1.0f / 30.0f);
-        const vec3 front = frontOfBlade(blade);
+        const vec3 front = physicsFront(blade);
         const vec3 difference = poseOfState(axesTowards(blade.up, front), fine).v2 -
                                 poseOfState(axesTowards(blade.up, front), coarse).v2;
         squared += double(dot(difference, difference));
@@ -251,12 +251,12 @@ TEST(Physics, TurnsWithTheWorld)
     // No direction is special: turning blade, gravity and wind turns the motion.
     tests::Dice dice(10);
     for (int i = 0; i < 1000; ++i) {
-        Blade blade = randomBlade(dice);
-        const vec3 front = frontOfBlade(blade);
+        Blade blade = physicsBlade(dice);
+        const vec3 front = physicsFront(blade);
         const vec3 tip = poseBlade(blade.up, front, dice.direction()).v2;
         const vec3 wind = dice.direction() * 2.0f;
         const Gravity gravity{dice.direction(), 2.0f, vec3(0.0f), 0.0f, forwardShare};
-        const vec3 moved = relaxTip(blade, front, gravity, wind, recovery, tip, 0.2f, 0.05f);
+        const vec3 moved = relaxTip(blade, front, gravity, wind, physicsRecovery, tip, 0.2f, 0.05f);
         // A cyclic exchange of the axes is a rotation.
         const auto turn = [](vec3 v) { return vec3(v.z, v.x, v.y); };
         Blade turned = blade;
@@ -264,8 +264,8 @@ TEST(Physics, TurnsWithTheWorld)
         turned.root = turn(blade.root);
         Gravity turnedGravity = gravity;
         turnedGravity.direction = turn(gravity.direction);
-        const vec3 expected = relaxTip(turned, turn(front), turnedGravity, turn(wind), recovery,
-                                       turn(tip), 0.2f, 0.05f);
+        const vec3 expected = relaxTip(turned, turn(front), turnedGravity, turn(wind),
+                                       physicsRecovery, turn(tip), 0.2f, 0.05f);
         ASSERT_LT(length(turn(moved) - expected), 1e-5f);
     }
 }
@@ -275,11 +275,11 @@ TEST(Physics, TwoStepsAreOne)
     // With constant forces and kept length, the division of time does not matter.
     tests::Dice dice(12);
     for (int i = 0; i < 20'000; ++i) {
-        const Blade blade = randomBlade(dice);
-        const vec3 front = frontOfBlade(blade);
+        const Blade blade = physicsBlade(dice);
+        const vec3 front = physicsFront(blade);
         const Gravity gravity{dice.direction(), 3.0f, vec3(0.0f), 0.0f, forwardShare};
         const auto step = [&](vec3 tip, float dt) {
-            return relaxTip(blade, front, gravity, vec3(0.0f), recovery, tip, 0.0f, dt);
+            return relaxTip(blade, front, gravity, vec3(0.0f), physicsRecovery, tip, 0.0f, dt);
         };
         const vec3 tip = normalize(blade.up + 0.8f * dice.direction());
         const float dt = dice.number(0.0f, 0.5f);
@@ -312,13 +312,13 @@ TEST(Physics, TurnsTowardsItsTargetUntilAShareOfTheTangentIsLeft)
         const float radius = dice.number(0.9f, 1.0f);
         const float dt = dice.number(0.0f, 0.2f);
         const vec3 force = dice.number(0, 20) * dice.direction();
-        const TurnQuotient quotient =
-            relaxTurn(stiffness, force, recovery, turnTowards(direction), false, radius, 0.0f, dt);
+        const TurnQuotient quotient = relaxTurn(stiffness, force, physicsRecovery,
+                                                turnTowards(direction), false, radius, 0.0f, dt);
         const vec3 turned = directionOfQuotient(quotient);
 
         // By the formula as it is stated, with angles.
         const float b = 1.0f - stiffness;
-        const float k = recovery * (1.0f - 0.25f * b);
+        const float k = physicsRecovery * (1.0f - 0.25f * b);
         const vec3 place = vec3(0, 0, 1) + (b / k) * force;
         const double before = angleBetween(direction, place);
         const double left =
@@ -342,7 +342,7 @@ TEST(Physics, FallsWhereItLeansWhenItIsPulledStraightDown)
         const vec2 turn = lean * vec2(0.6f, -0.8f);
         const auto turned = [&](float dt) {
             return turnAbove(
-                relaxTurn(0.0f, vec3(0, 0, -20), recovery, turn, false, 1.0f, 0.0f, dt));
+                relaxTurn(0.0f, vec3(0, 0, -20), physicsRecovery, turn, false, 1.0f, 0.0f, dt));
         };
         const vec2 soon = turned(0.01f);
         ASSERT_GT(length(soon), lean * 1.05f);
@@ -350,9 +350,9 @@ TEST(Physics, FallsWhereItLeansWhenItIsPulledStraightDown)
         ASSERT_LT(length(turned(0.5f) - vec2(0.6f, -0.8f)), 1e-5f);
     }
     // An upright blade has no direction and stays; one right below its root lies down forward.
-    EXPECT_EQ(
-        turnAbove(relaxTurn(0.0f, vec3(0, 0, -20), recovery, vec2(0.0f), false, 1.0f, 0.0f, 0.1f)),
-        vec2(0.0f));
+    EXPECT_EQ(turnAbove(relaxTurn(0.0f, vec3(0, 0, -20), physicsRecovery, vec2(0.0f), false, 1.0f,
+                                  0.0f, 0.1f)),
+              vec2(0.0f));
     EXPECT_EQ(turnAbove(TurnQuotient{vec2(1, 1), vec2(0, 0)}), vec2(1, 0));
 }
 

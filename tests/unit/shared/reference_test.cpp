@@ -13,8 +13,8 @@
 namespace sward::shared {
 namespace {
 
-constexpr Gravity gravity{vec3(0, -1, 0), 6.5f, vec3(0.0f), 0.0f, forwardShare};
-constexpr float recovery = 6.0f;
+constexpr Gravity referenceGravity{vec3(0, -1, 0), 6.5f, vec3(0.0f), 0.0f, forwardShare};
+constexpr float referenceRecovery = 6.0f;
 
 double wave(const WindSource& source, dvec3 place, double time)
 {
@@ -84,9 +84,9 @@ dvec3 moved(const Blade& blade, dvec3 tip, const WindSource (&sources)[2], doubl
     const dvec3 root(blade.root);
     const dvec3 front(frontOf(blade.up, widthAxis(blade.up, blade.facing)));
     const double b = 1.0 - double(blade.stiffness);
-    const double k = double(recovery) * (1.0 - 0.25 * b);
-    const double pull = double(gravity.strength);
-    dvec3 force = pull * (dvec3(gravity.direction) + 0.25 * front);
+    const double k = double(referenceRecovery) * (1.0 - 0.25 * b);
+    const double pull = double(referenceGravity.strength);
+    dvec3 force = pull * (dvec3(referenceGravity.direction) + 0.25 * front);
     for (const WindSource& source : sources) {
         const double amount =
             source.kind == windWave ? wave(source, root, time) : noise(source, root, time);
@@ -120,8 +120,9 @@ double tipError(int rate, int seconds)
         BladeState state = BladeState{0, 0.0f};
         dvec3 tip = valid(dvec3(blade.up), dvec3(blade.up));
         for (int frame = 1; frame <= rate * seconds; ++frame) {
-            state = advanceBlade(blade, tables.environment(gravity, recovery), noColliders(), state,
-                                 float(double(frame) / rate), float(1.0 / rate));
+            state =
+                advanceBlade(blade, tables.environment(referenceGravity, referenceRecovery),
+                             noColliders(), state, float(double(frame) / rate), float(1.0 / rate));
             for (int step = 1; step <= fine; ++step)
                 tip = moved(blade, tip, sources, (frame - 1.0 + double(step) / fine) / rate,
                             1.0 / (rate * fine));

@@ -13,7 +13,7 @@ namespace sward::shared {
 namespace {
 
 constexpr vec3 levelUp(0, 1, 0);
-constexpr float pi = 3.14159265f;
+constexpr float windPi = 3.14159265f;
 
 /// Kinds that have a direction.
 constexpr std::uint32_t alongKinds[] = {windNoise, windTurning, windWave, windGusts};
@@ -58,7 +58,7 @@ std::vector<double> spectrum(const std::vector<double>& series)
         double re = 0.0;
         double im = 0.0;
         for (std::size_t i = 0; i < n; ++i) {
-            const double angle = 2.0 * double(pi) * double(k * i % n) / double(n);
+            const double angle = 2.0 * double(windPi) * double(k * i % n) / double(n);
             re += series[i] * std::cos(angle);
             im += series[i] * std::sin(angle);
         }
@@ -296,7 +296,7 @@ TEST(Wind, TurningIsTheSineOfTheKnownSystem)
     // The direction rotates about the up-vector when set.
     source.direction = vec3(1, 0, 0);
     source.turn = 0.1f;
-    const vec3 turned = one(source, vec3(0.0f), 5.0f * pi);
+    const vec3 turned = one(source, vec3(0.0f), 5.0f * windPi);
     EXPECT_GT(dot(normalize(turned), vec3(0, 0, -1)), 0.999f);
 }
 
@@ -305,7 +305,7 @@ TEST(Wind, RadialBlowsAwayAndEndsAtItsSize)
     const WindSource source = tests::windSourceOf(windRadial, 3.0f);
     tests::Dice dice(7);
     for (int i = 0; i < 2000; ++i) {
-        const float angle = dice.number(0, 2.0f * pi);
+        const float angle = dice.number(0, 2.0f * windPi);
         const vec3 away(std::cos(angle), 0.0f, std::sin(angle));
         const vec3 w = one(source, dice.number(0.1f, 39.0f) * away, dice.number(0, 20));
         ASSERT_LT(length(cross(w, away)), 1e-4f);

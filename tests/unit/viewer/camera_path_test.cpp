@@ -11,7 +11,7 @@
 namespace sward::view {
 namespace {
 
-render::Camera at(double x)
+render::Camera stopAt(double x)
 {
     render::Camera camera;
     camera.eye = {x, 1.0, 5.0};
@@ -36,7 +36,7 @@ TEST(CameraPath, PassesThroughEachOfItsPlaces)
     const double times[] = {0.0, 0.5, 2.0, 2.1};
     const double places[] = {0.0, 3.0, -1.0, 4.0};
     for (int i = 0; i < 4; ++i)
-        path.add(times[i], at(places[i]));
+        path.add(times[i], stopAt(places[i]));
     for (int i = 0; i < 4; ++i)
         EXPECT_NEAR(path.at(times[i]).eye.x, places[i], 1e-12);
 }
@@ -45,7 +45,7 @@ TEST(CameraPath, GoesStraightAtAnEvenPaceWhereItsPlacesDo)
 {
     CameraPath path;
     for (int i = 0; i < 5; ++i)
-        path.add(0.5 * i, at(2.0 * i));
+        path.add(0.5 * i, stopAt(2.0 * i));
     for (double time = 0.5; time <= 1.5; time += 0.07)
         EXPECT_NEAR(path.at(time).eye.x, 4.0 * time, 1e-9);
 }
@@ -54,7 +54,7 @@ TEST(CameraPath, KeepsAnEvenPaceWhereItsPlacesAreUnevenInTime)
 {
     CameraPath path;
     for (const double time : {0.0, 0.5, 2.0, 2.1, 3.0})
-        path.add(time, at(4.0 * time));
+        path.add(time, stopAt(4.0 * time));
     for (double time = 0.5; time <= 2.1; time += 0.07)
         EXPECT_NEAR(path.at(time).eye.x, 4.0 * time, 1e-9);
 }
@@ -63,7 +63,7 @@ TEST(CameraPath, TurnsNoCorners)
 {
     CameraPath path;
     for (int i = 0; i < 4; ++i)
-        path.add(i, at(i == 2 ? 5.0 : 0.0));
+        path.add(i, stopAt(i == 2 ? 5.0 : 0.0));
     const auto pace = [&](double time) {
         return (path.at(time + 1e-5).eye.x - path.at(time - 1e-5).eye.x) / 2e-5;
     };
@@ -74,8 +74,8 @@ TEST(CameraPath, TurnsNoCorners)
 TEST(CameraPath, StandsStillBeforeItBeginsAndAfterItEnds)
 {
     CameraPath path;
-    path.add(1.0, at(3.0));
-    path.add(2.0, at(4.0));
+    path.add(1.0, stopAt(3.0));
+    path.add(2.0, stopAt(4.0));
     EXPECT_EQ(path.at(-5.0).eye.x, 3.0);
     EXPECT_EQ(path.at(9.0).eye.x, 4.0);
 }
@@ -83,9 +83,9 @@ TEST(CameraPath, StandsStillBeforeItBeginsAndAfterItEnds)
 TEST(CameraPath, ReadsBackWhatItHasWritten)
 {
     CameraPath path;
-    path.add(0.0, at(0.0));
-    path.add(0.73, at(2.0));
-    path.add(1.0, at(7.0));
+    path.add(0.0, stopAt(0.0));
+    path.add(0.73, stopAt(2.0));
+    path.add(1.0, stopAt(7.0));
     const CameraPath again = readText(cameraPathText(path, 0.1));
     EXPECT_EQ(again.size(), 11u);
     for (double time = 0.0; time <= 1.0; time += 0.1)

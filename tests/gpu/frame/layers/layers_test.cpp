@@ -144,21 +144,26 @@ private:
     double focal_; ///< [pixels]
 };
 
-/// Where on its curve the blade is nearest to a plane across its axis through `point`.
+/// Where on its curve the blade is nearest to a plane across its axis through `point`: the best of
+/// some places, then of those between its neighbours.
 double placeAlong(const Pose& pose, glm::dvec3 point)
 {
     double best = 0.0;
     double least = 1e30;
-    constexpr int steps = 4000;
-    for (int i = 0; i <= steps; ++i) {
-        const double t = double(i) / steps;
-        glm::dvec3 off = point - pose.at(t);
-        off -= glm::dot(off, pose.axis) * pose.axis;
-        if (const double square = glm::dot(off, off); square < least) {
-            least = square;
-            best = t;
+    const auto search = [&](double from, double to, int steps) {
+        for (int i = 0; i <= steps; ++i) {
+            const double t = from + (to - from) * double(i) / steps;
+            glm::dvec3 off = point - pose.at(t);
+            off -= glm::dot(off, pose.axis) * pose.axis;
+            if (const double square = glm::dot(off, off); square < least) {
+                least = square;
+                best = t;
+            }
         }
-    }
+    };
+    constexpr int places = 60;
+    search(0.0, 1.0, places);
+    search(std::max(0.0, best - 1.0 / places), std::min(1.0, best + 1.0 / places), 128);
     return best;
 }
 

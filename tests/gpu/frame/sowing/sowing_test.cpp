@@ -18,7 +18,7 @@
 namespace sward::render {
 namespace {
 
-constexpr glm::uvec2 size(160, 100);
+constexpr glm::uvec2 sowingSize(160, 100);
 
 class SowingTest : public test::GpuTest {
 protected:
@@ -34,7 +34,7 @@ protected:
         settings.samples = 1;
         settings.geometry = Geometry::raster;
         settings.rastersForCpu = false;
-        settings.largestTarget = size;
+        settings.largestTarget = sowingSize;
         settings.waitsForDisk = true;
         return settings;
     }
@@ -67,8 +67,8 @@ TEST_F(SowingTest, DrawsTheFieldThatGrowsFromTheSeeds)
     FieldRenderer sown(device(), field::viewOf(meadow().seeded), rasterised());
     ASSERT_TRUE(sown.isSown());
     EXPECT_FALSE(whole.isSown());
-    test::Picture picture(context(), size);
-    const std::vector<std::byte> black(std::size_t(size.x) * size.y * 4);
+    test::Picture picture(context(), sowingSize);
+    const std::vector<std::byte> black(std::size_t(sowingSize.x) * sowingSize.y * 4);
     for (const Camera& camera : {here(), there()}) {
         picture.draw(whole, camera, settings(), 1.0);
         const auto expected = picture.pixels();
@@ -77,7 +77,7 @@ TEST_F(SowingTest, DrawsTheFieldThatGrowsFromTheSeeds)
         EXPECT_NEAR(double(sown.stats().drawn) / double(whole.stats().drawn), 1.0, 0.005);
         EXPECT_GT(sown.stats().drawn, 3000U);
         // The leaf area around a blade is known from the stored sixteenth.
-        const test::Likeness alike = test::likeness(picture.pixels(), expected, black, size);
+        const test::Likeness alike = test::likeness(picture.pixels(), expected, black, sowingSize);
         EXPECT_GT(alike.psnr, 30.0);
         EXPECT_LT(std::abs(alike.worstTile), 10.0);
         EXPECT_EQ(sown.stats().total, sown.stats().resident + sown.stats().streamedOut);
@@ -89,7 +89,7 @@ TEST_F(SowingTest, DrawsTheFieldThatGrowsFromTheSeeds)
     picture.draw(whole, here(), settings(), 1.0);
     const auto expected = picture.pixels();
     picture.draw(stored, here(), settings(), 1.0);
-    EXPECT_GT(test::differingPixels(picture.pixels(), expected), size.x * size.y / 10);
+    EXPECT_GT(test::differingPixels(picture.pixels(), expected), sowingSize.x * sowingSize.y / 10);
 }
 
 TEST_F(SowingTest, APictureDependsOnThePlaceOfTheEyeAlone)
@@ -98,12 +98,12 @@ TEST_F(SowingTest, APictureDependsOnThePlaceOfTheEyeAlone)
     FieldRenderer::Settings wanted = rasterised();
     wanted.sownBytes = std::uint64_t(1) << 20;
     FieldRenderer sown(device(), field::viewOf(meadow().seeded), wanted);
-    test::Picture picture(context(), size);
+    test::Picture picture(context(), sowingSize);
     picture.draw(sown, here(), settings(), 1.0);
     const auto first = picture.pixels();
     const std::uint64_t drawn = sown.stats().drawn;
     picture.draw(sown, there(), settings(), 1.0);
-    EXPECT_GT(test::differingPixels(picture.pixels(), first), size.x * size.y / 4);
+    EXPECT_GT(test::differingPixels(picture.pixels(), first), sowingSize.x * sowingSize.y / 4);
     picture.draw(sown, here(), settings(), 1.0);
     EXPECT_EQ(sown.stats().drawn, drawn);
     EXPECT_EQ(test::differingPixels(picture.pixels(), first), 0U);
@@ -112,7 +112,7 @@ TEST_F(SowingTest, APictureDependsOnThePlaceOfTheEyeAlone)
 TEST_F(SowingTest, AFlightEndsAtThePictureOfItsPlace)
 {
     FieldRenderer whole(device(), field::viewOf(meadow().seeded), rasterised());
-    test::Picture picture(context(), size);
+    test::Picture picture(context(), sowingSize);
     picture.draw(whole, there(), settings(), 1.0);
     const auto expected = picture.pixels();
     FieldRenderer::Settings wanted = rasterised();
@@ -126,10 +126,10 @@ TEST_F(SowingTest, AFlightEndsAtThePictureOfItsPlace)
         const auto between = [&](const glm::dvec3& a, const glm::dvec3& b) {
             return a + along * (b - a);
         };
-        picture.draw(sown,
-                     lookingFrom(between(here().eye, there().eye),
-                                 between(here().target, there().target)),
-                     settings(), 1.0);
+        picture.draw(
+            sown,
+            lookingFrom(between(here().eye, there().eye), between(here().target, there().target)),
+            settings(), 1.0);
     }
     std::size_t differing = 1;
     for (int i = 0; i < 3000 && differing > 0; ++i) {
@@ -142,7 +142,7 @@ TEST_F(SowingTest, AFlightEndsAtThePictureOfItsPlace)
 TEST_F(SowingTest, ArrivesUnitByUnitAndEndsAtTheSamePicture)
 {
     FieldRenderer whole(device(), field::viewOf(meadow().seeded), rasterised());
-    test::Picture picture(context(), size);
+    test::Picture picture(context(), sowingSize);
     picture.draw(whole, here(), settings(), 1.0);
     const auto expected = picture.pixels();
     for (const bool onDevice : {false, true}) {
@@ -189,7 +189,7 @@ TEST_F(SowingTest, TellsOfSownBladesByTheKeysAndPlacesThatGrow)
     const field::FieldView seeded = field::viewOf(meadow().seeded);
     FieldRenderer sown(device(), seeded, wanted);
     EXPECT_TRUE(sown.sownPatches().empty()) << "nothing is there before the first frame";
-    test::Picture picture(context(), size);
+    test::Picture picture(context(), sowingSize);
     FrameSettings all = settings();
     all.leavesThinned = false;
     picture.draw(sown, here(), all, 1.0);

@@ -35,7 +35,7 @@ protected:
     const std::filesystem::path file_ = folder_ / "bookmarks.json";
 };
 
-render::Camera cameraAt(double x)
+render::Camera bookmarkAt(double x)
 {
     render::Camera camera;
     camera.eye = {x, 2.25, 1e6 / 3.0};
@@ -46,12 +46,12 @@ render::Camera cameraAt(double x)
 
 TEST_F(BookmarksTest, AreThereInTheNextRunToTheLastDigit)
 {
-    Bookmarks(file_).set("hills", 3, cameraAt(0.1));
+    Bookmarks(file_).set("hills", 3, bookmarkAt(0.1));
     Bookmarks again(file_);
-    again.set("hills", 9, cameraAt(7.0));
+    again.set("hills", 9, bookmarkAt(7.0));
     const Bookmarks::Numbered found = Bookmarks(file_).of("hills");
     ASSERT_EQ(found.size(), 2u);
-    EXPECT_EQ(found.at(3).eye, cameraAt(0.1).eye);
+    EXPECT_EQ(found.at(3).eye, bookmarkAt(0.1).eye);
     EXPECT_EQ(found.at(9).eye.x, 7.0);
     EXPECT_EQ(found.at(3).fovY, 30.0f);
     EXPECT_TRUE(again.of("sphere").empty());
@@ -63,10 +63,10 @@ TEST_F(BookmarksTest, OfTwoWindowsDoNotReplaceEachOther)
     Bookmarks other(file_);
     EXPECT_TRUE(one.of("hills").empty());
     EXPECT_TRUE(other.of("hills").empty());
-    one.set("hills", 5, cameraAt(5.0));
-    one.set("hills", 6, cameraAt(6.0));
-    other.set("sphere", 7, cameraAt(7.0));
-    other.set("hills", 8, cameraAt(8.0));
+    one.set("hills", 5, bookmarkAt(5.0));
+    one.set("hills", 6, bookmarkAt(6.0));
+    other.set("sphere", 7, bookmarkAt(7.0));
+    other.set("hills", 8, bookmarkAt(8.0));
     EXPECT_EQ(one.of("hills").size(), 3u);
     EXPECT_EQ(one.of("sphere").size(), 1u);
     EXPECT_EQ(other.of("hills").at(5).eye.x, 5.0);
@@ -79,7 +79,7 @@ TEST_F(BookmarksTest, SetByManyProcessesAtOnceAreAllKept)
         if (::fork() == 0) {
             try {
                 for (int number = 1; number <= 9; ++number)
-                    Bookmarks(file_).set("ground" + std::to_string(i), number, cameraAt(number));
+                    Bookmarks(file_).set("ground" + std::to_string(i), number, bookmarkAt(number));
             } catch (const Error&) {
                 ::_exit(1);
             }
@@ -102,8 +102,8 @@ TEST_F(BookmarksTest, OfTheInputSetLongestAgoGoFirst)
         json["ground" + std::to_string(i)]["1"] = {{"eye", {1, 2, 3}}, {"target", {0, 0, 0}}};
     write(json.dump());
     Bookmarks bookmarks(file_);
-    bookmarks.set("ground0", 2, cameraAt(1.0));
-    bookmarks.set("hills", 1, cameraAt(1.0));
+    bookmarks.set("ground0", 2, bookmarkAt(1.0));
+    bookmarks.set("hills", 1, bookmarkAt(1.0));
     EXPECT_EQ(bookmarks.of("ground0").size(), 2u) << "set anew";
     EXPECT_TRUE(bookmarks.of("ground1").empty());
     EXPECT_EQ(bookmarks.of("ground2").size(), 1u);
@@ -123,8 +123,8 @@ TEST_F(BookmarksTest, ABadEntryIsNamedAndStays)
     EXPECT_NE(bookmarks.takeComplaint().find("sphere"), std::string::npos);
     bookmarks.of("hills");
     EXPECT_EQ(bookmarks.takeComplaint(), "") << "it was told";
-    bookmarks.set("hills", 7, cameraAt(7.0));
-    bookmarks.set("plane", 7, cameraAt(7.0));
+    bookmarks.set("hills", 7, bookmarkAt(7.0));
+    bookmarks.set("plane", 7, bookmarkAt(7.0));
     auto json = nlohmann::json::parse(text());
     EXPECT_EQ(json["hills"]["5"]["eye"][0], 1e300);
     EXPECT_EQ(json["hills"]["x"], 1);
@@ -132,8 +132,8 @@ TEST_F(BookmarksTest, ABadEntryIsNamedAndStays)
     EXPECT_EQ(bookmarks.of("plane").size(), 2u);
     EXPECT_EQ(bookmarks.takeComplaint(), "");
     // The place that is set instead puts it aside.
-    bookmarks.set("hills", 5, cameraAt(5.0));
-    bookmarks.set("sphere", 1, cameraAt(1.0));
+    bookmarks.set("hills", 5, bookmarkAt(5.0));
+    bookmarks.set("sphere", 1, bookmarkAt(1.0));
     EXPECT_NE(bookmarks.takeComplaint().find("5 (damaged)"), std::string::npos);
     json = nlohmann::json::parse(text());
     EXPECT_EQ(json["hills"]["5 (damaged)"]["eye"][0], 1e300);
@@ -152,7 +152,7 @@ TEST_F(BookmarksTest, AFileThatIsNoListIsKeptUnderAnotherName)
         EXPECT_TRUE(bookmarks.of("hills").empty()) << damaged;
         EXPECT_NE(bookmarks.takeComplaint(), "") << damaged;
         EXPECT_EQ(text(), damaged) << "not touched by reading";
-        bookmarks.set("hills", 1, cameraAt(1.0));
+        bookmarks.set("hills", 1, bookmarkAt(1.0));
         const std::string aside = file_.string() + ".damaged";
         EXPECT_NE(bookmarks.takeComplaint().find(aside), std::string::npos);
         std::ifstream in(aside);
@@ -164,8 +164,8 @@ TEST_F(BookmarksTest, AFileThatIsNoListIsKeptUnderAnotherName)
 TEST_F(BookmarksTest, ThatCannotBeStoredAreAnError)
 {
     std::ofstream(folder_.string()) << "no folder";
-    EXPECT_THROW(Bookmarks(file_).set("hills", 1, cameraAt(1.0)), Error);
-    EXPECT_NO_THROW(Bookmarks(std::filesystem::path()).set("hills", 1, cameraAt(1.0)));
+    EXPECT_THROW(Bookmarks(file_).set("hills", 1, bookmarkAt(1.0)), Error);
+    EXPECT_NO_THROW(Bookmarks(std::filesystem::path()).set("hills", 1, bookmarkAt(1.0)));
 }
 
 } // namespace

@@ -7,7 +7,7 @@
 namespace sward::view {
 namespace {
 
-constexpr double dt = 1.0 / 60.0;
+constexpr double draggerStep = 1.0 / 60.0;
 
 glm::dvec3 upright(const glm::dvec3&)
 {
@@ -27,8 +27,8 @@ protected:
 
     void step()
     {
-        hand_.advance(balls_, ground_, upright, time_, time_ + dt);
-        time_ += dt;
+        hand_.advance(balls_, ground_, upright, time_, time_ + draggerStep);
+        time_ += draggerStep;
     }
 
     const field::Field field_ = test::makeField({});
@@ -59,7 +59,7 @@ TEST_F(ColliderDraggerTest, TellsTheShadersHowFastItMoves)
     const double before = time_;
     step();
     const shared::Collider seen = render::colliderAt(balls_[0], glm::dvec3(0.0), time_, before);
-    EXPECT_NEAR(static_cast<double>(seen.velocity.x), 0.3 / dt, 0.01 / dt);
+    EXPECT_NEAR(static_cast<double>(seen.velocity.x), 0.3 / draggerStep, 0.01 / draggerStep);
 }
 
 TEST_F(ColliderDraggerTest, RollsOnWhenItIsThrownAndComesToRest)
@@ -118,7 +118,8 @@ TEST_F(ColliderDraggerTest, FallsWhereTheGroundEnds)
         if (middle().x < end) {
             EXPECT_NEAR(drop, 0.0, 1e-6) << "on the ground";
         } else if (lastDrop > 0.0) {
-            EXPECT_NEAR(drop - lastDrop, 9.81 * dt * dt, 1e-6) << "it falls freely";
+            EXPECT_NEAR(drop - lastDrop, 9.81 * draggerStep * draggerStep, 1e-6)
+                << "it falls freely";
         }
         lastDrop = drop;
     }

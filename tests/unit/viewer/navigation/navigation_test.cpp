@@ -11,8 +11,8 @@
 namespace sward::view {
 namespace {
 
-constexpr float height = 500.0f; ///< [pixels] of the picture
-constexpr double dt = 0.1;       ///< [s]
+constexpr float height = 500.0f;       ///< [pixels] of the picture
+constexpr double navigationStep = 0.1; ///< [s]
 
 class NavigationTest : public testing::Test {
 protected:
@@ -60,10 +60,10 @@ protected:
 TEST_F(NavigationTest, FliesAheadOnlyWhileTheRightButtonIsHeld)
 {
     Navigation navigation = from({0.0, 0.0, 8.0});
-    navigation.steer(held({0.0f, 0.0f, 1.0f}, false), height, dt, true, true);
+    navigation.steer(held({0.0f, 0.0f, 1.0f}, false), height, navigationStep, true, true);
     EXPECT_EQ(navigation.camera().eye.z, 8.0);
-    navigation.steer(held({0.0f, 0.0f, 1.0f}), height, dt, true, true);
-    EXPECT_NEAR(navigation.camera().eye.z, 8.0 - navigation.speed() * dt, 1e-9);
+    navigation.steer(held({0.0f, 0.0f, 1.0f}), height, navigationStep, true, true);
+    EXPECT_NEAR(navigation.camera().eye.z, 8.0 - navigation.speed() * navigationStep, 1e-9);
     EXPECT_EQ(navigation.camera().eye.x, 0.0);
 }
 
@@ -76,7 +76,7 @@ TEST_F(NavigationTest, AnOrbitStaysAboveGroundThatFacesUp)
         for (int i = 0; i < 40; ++i) {
             Input input;
             input.rotate = {7.0f, -23.0f};
-            navigation.steer(input, height, dt, true, true);
+            navigation.steer(input, height, navigationStep, true, true);
             lowest = std::min(lowest, navigation.camera().eye.y);
         }
         if (away < 5.0)
@@ -93,7 +93,7 @@ TEST_F(NavigationTest, KeepsItsPlaceWhileItLooksAround)
     input.rightHeld = true;
     input.look = {120.0f, -700.0f};
     for (int i = 0; i < 9; ++i) {
-        navigation.steer(input, height, dt, true, true);
+        navigation.steer(input, height, navigationStep, true, true);
         EXPECT_EQ(navigation.camera().eye, glm::dvec3(0.0, 2.0, 8.0));
     }
     // Never over the pole.
@@ -107,11 +107,11 @@ TEST_F(NavigationTest, ChangesItsSpeedByTheWheelWhileTheRightButtonIsHeld)
     const double before = navigation.speed();
     Input input;
     input.wheel = 2.0f;
-    navigation.steer(input, height, dt, true, true);
+    navigation.steer(input, height, navigationStep, true, true);
     EXPECT_EQ(navigation.speed(), before);
     EXPECT_LT(glm::length(navigation.camera().eye), glm::length(glm::dvec3(0.0, 2.0, 8.0)));
     input.rightHeld = true;
-    navigation.steer(input, height, dt, true, true);
+    navigation.steer(input, height, navigationStep, true, true);
     EXPECT_NEAR(navigation.speed(), before * 1.25 * 1.25, 1e-9);
 }
 
@@ -121,7 +121,7 @@ TEST_F(NavigationTest, LeavesTheCameraAloneWhereMouseAndKeysAreNotForIt)
     Input input = held({1.0f, 1.0f, 1.0f});
     input.rotate = {50.0f, 50.0f};
     input.wheel = 3.0f;
-    navigation.steer(input, height, dt, false, false);
+    navigation.steer(input, height, navigationStep, false, false);
     EXPECT_EQ(navigation.camera().eye, glm::dvec3(0.0, 2.0, 8.0));
 }
 
@@ -133,7 +133,7 @@ TEST_F(NavigationTest, WalksAtAnEvenHeightOverTheGround)
     EXPECT_GT(eyes, 0.3);
     const double z = navigation.camera().eye.z;
     for (int i = 0; i < 10; ++i)
-        navigation.steer(held({0.0f, 0.0f, 1.0f}, false), height, dt, true, true);
+        navigation.steer(held({0.0f, 0.0f, 1.0f}, false), height, navigationStep, true, true);
     EXPECT_NEAR(navigation.camera().eye.y, eyes, 1e-6);
     EXPECT_LT(navigation.camera().eye.z, z - 0.5);
 }
@@ -145,7 +145,7 @@ TEST_F(NavigationTest, ReturnsToItsBookmarksAndHome)
     navigation.setBookmark(7);
     Input input;
     input.rotate = {80.0f, 10.0f};
-    navigation.steer(input, height, dt, true, true);
+    navigation.steer(input, height, navigationStep, true, true);
     const glm::dvec3 moved = navigation.camera().eye;
     EXPECT_TRUE(navigation.showBookmark(7));
     EXPECT_EQ(navigation.camera().eye, glm::dvec3(0.0, 2.0, 8.0));
@@ -172,7 +172,7 @@ TEST_F(NavigationOnABall, WalksAllAroundIt)
     const glm::dvec3 start = glm::normalize(navigation.camera().eye);
     double farthest = 1.0;
     for (int i = 0; i < 900; ++i) {
-        navigation.steer(held({0.0f, 0.0f, 1.0f}, false), height, dt, true, true);
+        navigation.steer(held({0.0f, 0.0f, 1.0f}, false), height, navigationStep, true, true);
         EXPECT_NEAR(glm::length(navigation.camera().eye), distance, 0.2);
         farthest = std::min(farthest, glm::dot(start, glm::normalize(navigation.camera().eye)));
     }

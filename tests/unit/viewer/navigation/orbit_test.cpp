@@ -17,7 +17,7 @@ glm::dvec3 randomVector(std::mt19937& generator)
     return {in(generator), in(generator), in(generator)};
 }
 
-render::Camera cameraAt(const glm::dvec3& eye, const glm::dvec3& target, const glm::vec3& up)
+render::Camera orbitCamera(const glm::dvec3& eye, const glm::dvec3& target, const glm::vec3& up)
 {
     render::Camera camera;
     camera.eye = eye;
@@ -39,7 +39,7 @@ TEST(Orbit, KeepsDistanceAndTargetAndNeverStandsOnItsHead)
         const glm::vec3 axis(glm::normalize(randomVector(generator) + glm::dvec3(0.0, 0.01, 0.0)));
         const glm::dvec3 target = 100.0 * randomVector(generator);
         Orbit orbit(
-            cameraAt(target + 10.0 * randomVector(generator) + glm::dvec3(0.1), target, axis),
+            orbitCamera(target + 10.0 * randomVector(generator) + glm::dvec3(0.1), target, axis),
             axis);
         const double distance = distanceOf(orbit.camera());
         for (int drag = 0; drag < 3; ++drag)
@@ -56,7 +56,7 @@ TEST(Orbit, KeepsDistanceAndTargetAndNeverStandsOnItsHead)
 
 TEST(Orbit, LooksFromHigherUpAfterADragDownAndFromTheLeftAfterADragToTheRight)
 {
-    Orbit orbit(cameraAt({0.0, 0.0, 10.0}, glm::dvec3(0.0), {0.0f, 1.0f, 0.0f}),
+    Orbit orbit(orbitCamera({0.0, 0.0, 10.0}, glm::dvec3(0.0), {0.0f, 1.0f, 0.0f}),
                 {0.0f, 1.0f, 0.0f});
     orbit.rotate({0.0f, 50.0f}, 300.0f);
     EXPECT_GT(orbit.camera().eye.y, 1.0);
@@ -67,7 +67,7 @@ TEST(Orbit, LooksFromHigherUpAfterADragDownAndFromTheLeftAfterADragToTheRight)
 TEST(Orbit, TiltsAwayFromTheTopWithoutTurning)
 {
     // Straight down, with −z at the top of the picture.
-    Orbit orbit(cameraAt({0.0, 10.0, 0.0}, glm::dvec3(0.0), {0.0f, 0.0f, -1.0f}),
+    Orbit orbit(orbitCamera({0.0, 10.0, 0.0}, glm::dvec3(0.0), {0.0f, 0.0f, -1.0f}),
                 {0.0f, 1.0f, 0.0f});
     orbit.rotate({0.0f, -50.0f}, 300.0f);
     EXPECT_NEAR(orbit.camera().eye.x, 0.0, 1e-9);
@@ -77,7 +77,7 @@ TEST(Orbit, TiltsAwayFromTheTopWithoutTurning)
 
 TEST(Orbit, PansBySoManyMetresThatTheTargetFollowsTheMouse)
 {
-    Orbit orbit(cameraAt({0.0, 0.0, 10.0}, glm::dvec3(0.0), {0.0f, 1.0f, 0.0f}),
+    Orbit orbit(orbitCamera({0.0, 0.0, 10.0}, glm::dvec3(0.0), {0.0f, 1.0f, 0.0f}),
                 {0.0f, 1.0f, 0.0f});
     orbit.pan({0.0f, 300.0f}, 300.0f);
     // The whole height of the picture at a distance of 10 m with a field of view of 45 degrees.
@@ -89,7 +89,7 @@ TEST(Orbit, PansBySoManyMetresThatTheTargetFollowsTheMouse)
 
 TEST(Orbit, ComesNearerButNeverToTheTarget)
 {
-    Orbit orbit(cameraAt({0.0, 0.0, 10.0}, glm::dvec3(0.0), {0.0f, 1.0f, 0.0f}),
+    Orbit orbit(orbitCamera({0.0, 0.0, 10.0}, glm::dvec3(0.0), {0.0f, 1.0f, 0.0f}),
                 {0.0f, 1.0f, 0.0f});
     orbit.dolly(1.0f);
     EXPECT_NEAR(distanceOf(orbit.camera()), 9.0, 1e-9);
@@ -103,7 +103,7 @@ TEST(Orbit, ComesNearerButNeverToTheTarget)
 
 TEST(Orbit, ReturnsToWhereItBegan)
 {
-    const render::Camera home = cameraAt({3.0, 4.0, 5.0}, {1.0, 0.0, 0.0}, {0.0f, 1.0f, 0.0f});
+    const render::Camera home = orbitCamera({3.0, 4.0, 5.0}, {1.0, 0.0, 0.0}, {0.0f, 1.0f, 0.0f});
     Orbit orbit(home, {0.0f, 1.0f, 0.0f});
     orbit.rotate({17.0f, 23.0f}, 300.0f);
     orbit.pan({5.0f, 6.0f}, 300.0f);

@@ -17,7 +17,7 @@ namespace {
 
 using nlohmann::json;
 
-PaintPoint at(double x, double z = 0.0)
+PaintPoint strokeAt(double x, double z = 0.0)
 {
     return {{x, 0.0, z}, {0.0, 1.0, 0.0}};
 }
@@ -32,7 +32,7 @@ Brush eraser(float radius = 1.0f)
 
 void addStroke(StrokeList& list, double x)
 {
-    list.begin(eraser(), at(x));
+    list.begin(eraser(), strokeAt(x));
     list.finish();
 }
 
@@ -53,7 +53,7 @@ TEST(StrokeText, HasTheKeysOfItsKindAndNoOthers)
         Brush brush;
         brush.kind = kind;
         brush.species = "a \"daisy\"";
-        const json stroke = json::parse(strokeText(brush, {at(1.0), at(2.5)}));
+        const json stroke = json::parse(strokeText(brush, {strokeAt(1.0), strokeAt(2.5)}));
         EXPECT_EQ(stroke.size(), 6 + keys.size()) << stroke;
         EXPECT_EQ(stroke["kind"], paintKindNames[static_cast<std::size_t>(kind)]);
         EXPECT_EQ(stroke["points"], json::parse("[[1,0,0],[2.5,0,0]]"));
@@ -66,7 +66,7 @@ TEST(StrokeText, HasTheKeysOfItsKindAndNoOthers)
 TEST(StrokeText, TellsANormalForEachPointWhereTheyDiffer)
 {
     const PaintPoint side{{5.0, 0.0, 0.0}, {1.0, 0.0, 0.0}};
-    const json stroke = json::parse(strokeText(eraser(), {at(0.0), side}));
+    const json stroke = json::parse(strokeText(eraser(), {strokeAt(0.0), side}));
     EXPECT_EQ(stroke["normals"], json::parse("[[0,1,0],[1,0,0]]"));
 }
 
@@ -84,7 +84,7 @@ TEST(Simplified, NoPointIsFartherAwayThanTheTolerance)
     std::vector<PaintPoint> points;
     double z = 0.0;
     for (int i = 0; i < 400; ++i)
-        points.push_back(at(0.25 * i, z += step(random)));
+        points.push_back(strokeAt(0.25 * i, z += step(random)));
     const auto kept = simplified(points, 0.3);
     EXPECT_LT(kept.size(), points.size() / 2);
     EXPECT_EQ(kept.front().place, points.front().place);
@@ -103,9 +103,9 @@ TEST(Simplified, NoPointIsFartherAwayThanTheTolerance)
 TEST(StrokeList, ALongStrokeTakesAtMostTwoKilobytes)
 {
     StrokeList list;
-    list.begin(eraser(), at(0.0));
+    list.begin(eraser(), strokeAt(0.0));
     for (int i = 1; i < 4000; ++i)
-        list.extend(at(0.05 * i, 8.0 * std::sin(0.01 * i)));
+        list.extend(strokeAt(0.05 * i, 8.0 * std::sin(0.01 * i)));
     EXPECT_LT(list.grownPoints(), 1400u) << "resampled to a quarter of the radius";
     list.finish();
     ASSERT_EQ(list.entries().size(), 1u);
@@ -115,11 +115,11 @@ TEST(StrokeList, ALongStrokeTakesAtMostTwoKilobytes)
 TEST(StrokeList, PointsNearTheLastAreLeftOut)
 {
     StrokeList list;
-    list.begin(eraser(2.0f), at(0.0));
+    list.begin(eraser(2.0f), strokeAt(0.0));
     const auto before = list.revision();
-    EXPECT_FALSE(list.extend(at(0.49)));
+    EXPECT_FALSE(list.extend(strokeAt(0.49)));
     EXPECT_EQ(list.revision(), before) << "nothing new to be sent";
-    EXPECT_TRUE(list.extend(at(0.51)));
+    EXPECT_TRUE(list.extend(strokeAt(0.51)));
     EXPECT_NE(list.revision(), before);
     EXPECT_EQ(list.grownPoints(), 2u);
 }
@@ -128,8 +128,8 @@ TEST(StrokeList, TheGrowingStrokeIsVisibleAndBecomesTheLastWithTheSameText)
 {
     StrokeList list;
     addStroke(list, 0.0);
-    list.begin(eraser(), at(5.0));
-    list.extend(at(6.0));
+    list.begin(eraser(), strokeAt(5.0));
+    list.extend(strokeAt(6.0));
     EXPECT_EQ(list.finished().size(), 1u);
     const auto growing = list.visible();
     ASSERT_EQ(growing.size(), 2u);
@@ -214,7 +214,7 @@ TEST(StrokeList, IsUnsavedUntilTheSameStrokesAreThereAgain)
 TEST(StrokeList, TellsKindPlaceAndSizeOfEachStroke)
 {
     StrokeList list;
-    list.draw(eraser(2.0f), {at(1.0), at(5.0), at(5.0, 3.0)});
+    list.draw(eraser(2.0f), {strokeAt(1.0), strokeAt(5.0), strokeAt(5.0, 3.0)});
     const StrokeList::Entry& entry = list.entries().at(0);
     EXPECT_EQ(entry.kind, "erase");
     EXPECT_EQ(entry.radius, 2.0);
@@ -257,12 +257,12 @@ TEST(StrokeList, KnowsWhereTheLastStrokeEnded)
 {
     StrokeList list;
     EXPECT_FALSE(list.end().has_value());
-    list.begin(eraser(), at(1.0));
-    list.extend(at(4.0));
+    list.begin(eraser(), strokeAt(1.0));
+    list.extend(strokeAt(4.0));
     list.finish();
     ASSERT_TRUE(list.end().has_value());
     EXPECT_EQ(list.end()->place.x, 4.0);
-    list.draw(eraser(), {*list.end(), at(8.0)});
+    list.draw(eraser(), {*list.end(), strokeAt(8.0)});
     EXPECT_EQ(list.end()->place.x, 8.0);
     EXPECT_EQ(list.entries().size(), 2u);
     list.undo();
@@ -301,8 +301,7 @@ TEST(StrokeFile, OtherFilesAreRefused)
     for (const char* text :
          {"", "[]", "{", "{\"format\":\"sward strokes 2\",\"strokes\":[]}",
           "{\"format\":\"sward strokes 1\"}", "{\"format\":\"sward strokes 1\",\"strokes\":3}",
-          "{\"strokes\":[]}",
-          "{\"format\":\"sward strokes 1\",\"strokes\":[{}],\"strokes\":[]}"}) {
+          "{\"strokes\":[]}", "{\"format\":\"sward strokes 1\",\"strokes\":[{}],\"strokes\":[]}"}) {
         std::ofstream(path) << text;
         EXPECT_THROW(readStrokeFile(path), Error) << text;
     }
