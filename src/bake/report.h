@@ -54,6 +54,7 @@ struct Report {
         glm::dvec3 high{0.0};        ///< opposite corner [m]
         SoftRange altitudes;         ///< [m] of bearing triangles; unbounded unless requested
         std::string hash;            ///< of the content, as hexadecimal digits
+        std::string mapSystem;       ///< terrain::systemName() of the ground's; empty without one
     } input;                         ///< the input ground
     std::uint64_t seed = 0;          ///< as requested
     int threads = 0;                 ///< threads used
@@ -67,12 +68,12 @@ struct Report {
     /// (RootPlan::bearing); 0 without Poisson disks. None where it cannot be told, because strokes
     /// thin the roots.
     std::optional<double> relativeRadius = 0.0;
-    double densityRequested = 0.0; ///< [1/m²]
-    double densityReached = 0.0;   ///< [1/m²] kept roots per area
-    double densityClosed = 0.0;    ///< [1/m²] of a closed sward; 0 unless it decided the amount
-    double widening = 1.0;         ///< factor on the width of blades
-    bool slopeChosen = false;      ///< by the ground's shape, not by a setting
-    SoftRange slope;               ///< [degrees] of the filter, as requested or chosen
+    double densityRequested = 0.0;     ///< [1/m²]
+    double densityReached = 0.0;       ///< [1/m²] kept roots per area
+    double densityClosed = 0.0;        ///< [1/m²] of a closed sward; 0 unless it decided the amount
+    double widening = 1.0;             ///< factor on the width of blades
+    bool slopeChosen = false;          ///< by the ground's shape, not by a setting
+    SoftRange slope;                   ///< [degrees] of the filter, as requested or chosen
     std::optional<GreenShares> colors; ///< of the bearing ground; none if it has no colours
     bool maskChosen = false;           ///< ground:green, by the colours and not by a setting
     /// A mask, also of a species.
@@ -97,10 +98,10 @@ struct Report {
     std::uint64_t peakMemory = 0; ///< [bytes]
     /// The output file.
     struct Output {
-        std::string path;              ///< as requested
-        std::uint64_t bytes = 0;       ///< of the file
-        std::uint64_t patches = 0;     ///< of its tree
-    } output;                          ///< the written file
+        std::string path;          ///< as requested
+        std::uint64_t bytes = 0;   ///< of the file
+        std::uint64_t patches = 0; ///< of its tree
+    } output;                      ///< the written file
     /// Seeds of the field.
     struct Seeds {
         std::uint64_t cells = 0; ///< of 32 m; 0: none

@@ -18,6 +18,7 @@
 #include <cstring>
 #include <future>
 #include <limits>
+#include <memory>
 #include <optional>
 
 namespace sward::field {
@@ -36,19 +37,47 @@ struct MappedField::Contents {
     std::string copyright;
     FieldView view;
 
-    void read(const std::string& name);
+    void read(const std::string& name, const ReadOptions& options);
 };
 
 namespace {
 
 using Bytes = std::span<const std::byte>;
 
+// What a frugal reader has in memory at most [bytes], of a mapped file.
+constexpr std::size_t frugalBytes = std::size_t(64) << 20;
+
+// Calls see(piece) for pieces of `bytes`, in order, and leaves each on disk after it.
+template <typename T, typename See>
+void seeByPieces(std::span<const T> all, See see)
+{
+    constexpr std::size_t most = frugalBytes / sizeof(T);
+    for (std::size_t at = 0; at < all.size(); at += most) {
+        const std::span<const T> piece = all.subspan(at, std::min(most, all.size() - at));
+        see(piece);
+        leaveOnDisk(std::as_bytes(piece));
+    }
+}
+
+std::uint64_t hashOf(Bytes bytes, bool isFrugal)
+{
+    if (!isFrugal)
+        return XXH3_64bits(bytes.data(), bytes.size());
+    const std::unique_ptr<XXH3_state_t, decltype(&XXH3_freeState)> state(XXH3_createState(),
+                                                                         &XXH3_freeState);
+    XXH3_64bits_reset(state.get());
+    seeByPieces(bytes,
+                [&](Bytes piece) { XXH3_64bits_update(state.get(), piece.data(), piece.size()); });
+    return XXH3_64bits_digest(state.get());
+}
+
 // A file being read: its bytes, header and verified chunk table.
 class Reader {
 public:
-    Reader(Bytes bytes, std::string place)
+    Reader(Bytes bytes, std::string place, bool isFrugal)
         : bytes_(bytes)
         , place_(std::move(place))
+        , isFrugal_(isFrugal)
     {
         readHeader();
         readTable();
@@ -56,6 +85,7 @@ public:
 
     const format::FileHeader& header() const { return header_; }
     const std::string& place() const { return place_; }
+    bool isFrugal() const { return isFrugal_; }
 
     // An array used in place; empty if the chunk is absent and not critical.
     template <typename T>
@@ -132,6 +162,7 @@ private:
 
     Bytes bytes_;
     std::string place_;
+    bool isFrugal_;
     format::FileHeader header_ = {};
     std::vector<format::ChunkEntry> table_;
 };
@@ -209,7 +240,7 @@ void Reader::checkEntry(const format::ChunkEntry& entry, std::uint64_t& at) cons
         fail(ErrorKind::input, "{}: chunk {} has {} elements of {} bytes in {} bytes", place_, name,
              entry.elementCount, entry.elementBytes, entry.rawBytes);
     checkPadding(at, entry.offset);
-    if (XXH3_64bits(bytes_.data() + entry.offset, entry.storedBytes) != entry.hash)
+    if (hashOf(bytes_.subspan(entry.offset, entry.storedBytes), isFrugal_) != entry.hash)
         fail(ErrorKind::input, "{}: chunk {} is damaged (hash differs)", place_, name);
     static constexpr format::ChunkId known[] = {
         format::patches,      format::blades,          format::keys,
@@ -252,15 +283,23 @@ std::uint64_t MappedField::fileBytes() const
     return contents_->bytes.size();
 }
 
-void MappedField::Contents::read(const std::string& name)
+void MappedField::leaveOnDisk() const noexcept
 {
-    const Reader reader(bytes, name);
+    if (contents_ != nullptr && contents_->file)
+        sward::leaveOnDisk(contents_->file->bytes());
+}
+
+void MappedField::Contents::read(const std::string& name, const ReadOptions& options)
+{
+    const Reader reader(bytes, name, options.isFrugal && file.has_value());
     const std::string& place = reader.place();
 
     // Keys take as long as all the rest.
-    std::future<UninitializedVector<BladeKey>> readKeys = std::async(std::launch::async, [&] {
-        return reader.copied<BladeKey, UninitializedVector<BladeKey>>(format::keys, false);
-    });
+    std::future<UninitializedVector<BladeKey>> readKeys;
+    if (options.withKeys)
+        readKeys = std::async(std::launch::async, [&] {
+            return reader.copied<BladeKey, UninitializedVector<BladeKey>>(format::keys, false);
+        });
     species = parseSpecies(reader.text(format::species, true), fmt::format("{}: species", place));
     defaults = parseDefaults(reader.text(format::defaults, true),
                              fmt::format("{}: defaults", place), copyright);
@@ -293,17 +332,23 @@ void MappedField::Contents::read(const std::string& name)
     view.defaults = &defaults;
     view.provenance = &provenance;
     view.copyright = &copyright;
-    verify(view, place);
-    keys = readKeys.get();
+    verifyWithoutBlades(view, view.blades.size(), place);
+    BladeVerifier verifier(view, place);
+    if (reader.isFrugal())
+        seeByPieces(view.blades, [&](auto piece) { verifier.add(piece); });
+    else
+        verifier.add(view.blades);
+    if (options.withKeys)
+        keys = readKeys.get();
     view.keys = keys;
     verifyKeys(view, place);
 }
 
-MappedField readField(const std::filesystem::path& path)
+MappedField readField(const std::filesystem::path& path, const ReadOptions& options)
 {
     auto contents = std::make_unique<MappedField::Contents>();
     contents->bytes = contents->file.emplace(path).bytes();
-    contents->read(path.string());
+    contents->read(path.string(), options);
     return MappedField(std::move(contents));
 }
 
@@ -314,7 +359,7 @@ MappedField readField(std::span<const std::byte> bytes, const std::string& name)
                  alignof(shared::Patch));
     auto contents = std::make_unique<MappedField::Contents>();
     contents->bytes = bytes;
-    contents->read(name);
+    contents->read(name, {});
     return MappedField(std::move(contents));
 }
 
@@ -323,7 +368,7 @@ MappedField readField(std::vector<std::byte>&& bytes, const std::string& name)
     auto contents = std::make_unique<MappedField::Contents>();
     contents->owned = std::move(bytes);
     contents->bytes = contents->owned;
-    contents->read(name);
+    contents->read(name, {});
     return MappedField(std::move(contents));
 }
 

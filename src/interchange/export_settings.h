@@ -2,6 +2,7 @@
 
 #include "interchange/tiles/georeference.h"
 
+#include <functional>
 #include <optional>
 #include <string>
 
@@ -16,7 +17,11 @@ struct ExportSettings {
     bool compact = false;         ///< .glb, .usda: fewer bytes, with stated errors
     bool withIds = false;         ///< of compact exports: ids of the blades too
     std::string meshoptExtension = "EXT_meshopt_compression"; ///< or KHR_meshopt_compression
-    std::optional<Geodetic> at{};      ///< 3D Tiles: where the world's origin lies on the Earth
+    std::optional<Geodetic> at{};    ///< 3D Tiles: where the world's origin lies on the Earth,
+    std::optional<MapToEarth> map{}; ///< or where all its places lie
+    /// Called after some millions of blades of a compact or tiled export: may take a mapped field
+    /// out of memory.
+    std::function<void()> rest{};
     std::string generator = "Sward"; ///< name and version of the program, stored in the file
 };
 

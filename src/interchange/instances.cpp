@@ -5,9 +5,13 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace sward::interchange {
 namespace {
+
+// 64 MB of a mapped field.
+constexpr std::uint64_t restingBlades = std::uint64_t(4) << 20;
 
 bool isFinite(const shared::Blade& blade)
 {
@@ -67,7 +71,22 @@ void orderByRank(std::vector<Instance>& instances)
     std::ranges::stable_sort(instances, {}, &Instance::rank);
 }
 
-std::vector<MeanBlade> meanBlades(const field::FieldView& field)
+BladeCounter::BladeCounter(std::function<void()> rest)
+    : rest_(std::move(rest))
+{
+}
+
+void BladeCounter::add(std::uint64_t blades)
+{
+    count_ += blades;
+    if (count_ < restingBlades)
+        return;
+    count_ = 0;
+    if (rest_)
+        rest_();
+}
+
+std::vector<MeanBlade> meanBlades(const field::FieldView& field, const std::function<void()>& rest)
 {
     struct Sums {
         double stiffness = 0.0;
@@ -75,7 +94,8 @@ std::vector<MeanBlade> meanBlades(const field::FieldView& field)
         std::uint64_t count = 0;
     };
     std::vector<Sums> sums(field.species.size());
-    for (const shared::Patch& patch : field.patches)
+    BladeCounter counter(rest);
+    for (const shared::Patch& patch : field.patches) {
         for (std::size_t i = patch.firstBlade; i < patch.firstBlade + patch.bladeCount; ++i) {
             if (field.isRibbon(i))
                 continue;
@@ -85,6 +105,8 @@ std::vector<MeanBlade> meanBlades(const field::FieldView& field)
             own.slenderness += double(blade.width) / double(blade.height);
             ++own.count;
         }
+        counter.add(patch.bladeCount);
+    }
     std::vector<MeanBlade> means(field.species.size());
     for (std::size_t s = 0; s < means.size(); ++s)
         if (sums[s].count > 0)

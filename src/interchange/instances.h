@@ -8,6 +8,7 @@
 #include <glm/gtc/quaternion.hpp>
 
 #include <cstdint>
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -43,8 +44,20 @@ std::vector<Instance> instancesOf(const field::FieldView& field, const BladeGrou
 /// spread as the field's own blades below that rank.
 void orderByRank(std::vector<Instance>& instances);
 
+/// Calls `rest` whenever some millions of blades have been read.
+class BladeCounter {
+public:
+    explicit BladeCounter(std::function<void()> rest);
+    void add(std::uint64_t blades);
+
+private:
+    std::function<void()> rest_;
+    std::uint64_t count_ = 0; ///< since the last call
+};
+
 /// Means of each species' blades, ribbons left out; those of MeanBlade for a species without
-/// blades.
-std::vector<MeanBlade> meanBlades(const field::FieldView& field);
+/// blades. Calls `rest` (ExportSettings::rest) as BladeCounter does.
+std::vector<MeanBlade> meanBlades(const field::FieldView& field,
+                                  const std::function<void()>& rest = {});
 
 } // namespace sward::interchange

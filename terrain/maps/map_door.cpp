@@ -6,6 +6,8 @@
 
 #include <array>
 #include <filesystem>
+#include <string_view>
+#include <utility>
 
 namespace sward::terrain {
 namespace {
@@ -65,6 +67,40 @@ std::shared_ptr<const MapShapes> readMapShapes(const std::string& path, double m
                                                const std::string& system, Diagnostics& diagnostics)
 {
     return readerFor(path).readShapes(path, margin, system, diagnostics);
+}
+
+MapSystemFacts mapSystemFacts(const std::string& system, const std::string& option)
+{
+    return readerFor(option).systemFacts(system, option);
+}
+
+std::vector<glm::dvec2> degreesOf(const std::string& system, std::vector<glm::dvec2> places,
+                                  const std::string& option)
+{
+    return readerFor(option).changedPlaces(system, std::move(places), true, option);
+}
+
+std::vector<glm::dvec2> mapPlacesOf(const std::string& system, std::vector<glm::dvec2> degrees,
+                                    const std::string& option)
+{
+    return readerFor(option).changedPlaces(system, std::move(degrees), false, option);
+}
+
+std::string systemName(const std::string& wkt)
+{
+    // WKT 1 ends in AUTHORITY["EPSG","25833"]].
+    constexpr std::string_view start = "AUTHORITY[\"";
+    constexpr std::string_view middle = "\",\"";
+    constexpr std::string_view end = "\"]]";
+    const std::size_t at = wkt.rfind(start);
+    if (at == std::string::npos || !wkt.ends_with(end))
+        return wkt;
+    const std::string own =
+        wkt.substr(at + start.size(), wkt.size() - end.size() - at - start.size());
+    const std::size_t comma = own.find(middle);
+    if (comma == std::string::npos || own.find('"', comma + middle.size()) != std::string::npos)
+        return wkt;
+    return own.substr(0, comma) + ":" + own.substr(comma + middle.size());
 }
 
 } // namespace sward::terrain

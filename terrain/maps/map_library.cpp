@@ -2,9 +2,10 @@
 #include "terrain/maps/map_reader.h"
 
 extern "C" __attribute__((visibility("default"))) const sward::terrain::MapReader*
-sward_map_reader_1()
+sward_map_reader_2()
 {
-    static const sward::terrain::MapReader reader{&sward::terrain::readMapByGdal,
-                                                  &sward::terrain::readShapesByGdal};
+    static const sward::terrain::MapReader reader{
+        &sward::terrain::readMapByGdal, &sward::terrain::readShapesByGdal,
+        &sward::terrain::mapSystemFactsByGdal, &sward::terrain::changedPlacesByGdal};
     return &reader;
 }

@@ -1,12 +1,12 @@
 #include "apps/common/field_input.h"
 #include "apps/common/interrupt.h"
 #include "apps/common/output.h"
-#include "apps/common/parse_text.h"
 #include "apps/common/terminal/log_switches.h"
 #include "apps/common/terminal/progress_bar.h"
 #include "apps/common/version.h"
 #include "apps/sward/files/new_output_folder.h"
 #include "apps/sward/files/output_files.h"
+#include "apps/sward/options/earth_options.h"
 #include "apps/sward/options/growth_options.h"
 #include "apps/sward/subcommand.h"
 #include "apps/sward/text/bake_summary.h"
@@ -26,9 +26,7 @@
 #include <filesystem>
 #include <optional>
 #include <string>
-#include <string_view>
 #include <system_error>
-#include <vector>
 
 namespace sward::apps {
 namespace {
@@ -64,18 +62,6 @@ bool liesIn(const std::filesystem::path& file, const std::filesystem::path& fold
     return !inside.empty() && *inside.begin() != "..";
 }
 
-std::optional<interchange::Geodetic> geodeticOf(const std::string& text)
-{
-    if (text.empty())
-        return std::nullopt;
-    const std::vector<std::string_view> parts = splitText(text, ',');
-    if (parts.size() != 3)
-        fail(ErrorKind::usage, "--at is \"{}\"; expected LON,LAT,H", text);
-    return interchange::Geodetic{.longitude = parseNumber("--at", parts[0], -180.0, 180.0),
-                                 .latitude = parseNumber("--at", parts[1], -90.0, 90.0),
-                                 .height = parseNumber("--at", parts[2], -1e5, 1e6)};
-}
-
 class Export : public Subcommand {
 public:
     explicit Export(CLI::App& program)
@@ -104,13 +90,7 @@ public:
             ->check(CLI::IsMember({"EXT", "KHR"}).description(""));
         app().add_flag("--tiles", tiles_,
                        "Write a folder OUT with 3D Tiles 1.1: tileset.json and compact .glb files");
-        app()
-            .add_option(
-                "--at", at_,
-                "With --tiles: longitude and latitude (degrees, WGS84) and height above the "
-                "ellipsoid (metres) of the world's origin; X then points to the east, -Z to "
-                "the north")
-            ->type_name("LON,LAT,H");
+        earth_.add(app());
         app().add_flag("--force", settings_.overwrite, "Overwrite an existing file");
         growth_.add(app(), "Of a field with seeds");
         log_.add(app());
@@ -125,8 +105,8 @@ public:
         // Check before any work.
         if (tiles_)
             return runTiles();
-        if (!at_.empty())
-            fail(ErrorKind::usage, "{}: --at needs --tiles", output_);
+        if (earth_.isGiven())
+            fail(ErrorKind::usage, "{}: --at, --crs and --geoid need --tiles", output_);
         const interchange::Format& format = interchange::formatOf(output_, settings_);
         if (!meshopt_.empty() && !(settings_.compact && format.hasGround))
             fail(ErrorKind::usage, "{}: --meshopt needs --compact and a .glb output", output_);
@@ -147,8 +127,13 @@ private:
     void writeField(Write write) const
     {
         requireField(file_);
-        const field::MappedField field = field::readField(file_);
+        // What is large stays on disk, unless seeds grow from it.
+        const bool isFrugal = (tiles_ || settings_.compact) && !growth_.saysAnything();
+        const field::MappedField field = field::readField(
+            file_, {.withKeys = !isFrugal || settings_.withIds, .isFrugal = isFrugal});
         interchange::ExportSettings settings = settings_;
+        if (isFrugal)
+            settings.rest = [&field] { field.leaveOnDisk(); };
         settings.source = file_;
         if (!meshopt_.empty())
             settings.meshoptExtension = meshopt_ + "_meshopt_compression";
@@ -172,10 +157,12 @@ private:
         NewOutputFolder::requirePlace(output_, tilesMark, settings_.overwrite);
         if (liesIn(file_, output_))
             fail(ErrorKind::usage, "{}: is read and lies in the folder {}", file_, output_);
-        const std::optional<interchange::Geodetic> at = geodeticOf(at_);
+        earth_.check(output_);
         writeField([&](const field::FieldView& view, interchange::ExportSettings settings,
                        Progress& progress, const field::Field*) {
-            settings.at = at;
+            settings.map = earth_.map(view);
+            if (!settings.map)
+                settings.at = earth_.place();
             NewOutputFolder folder(output_, tilesMark, settings.overwrite);
             const interchange::TilesetSummary summary =
                 interchange::writeTiles(view, folder.filling(), settings, progress);
@@ -217,9 +204,9 @@ private:
     std::string file_;
     std::string output_;
     std::string meshopt_;
-    std::string at_;
     bool tiles_ = false;
     interchange::ExportSettings settings_;
+    EarthOptions earth_;
     GrowthOptions growth_;
     LogSwitches log_;
 };

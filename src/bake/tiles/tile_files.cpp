@@ -77,6 +77,7 @@ json groundJson(const Report& report)
             {"high", vectorJson(report.input.high)},
             {"altitudes", {report.input.altitudes.low, report.input.altitudes.high}},
             {"hash", report.input.hash},
+            {"map_system", report.input.mapSystem},
             {"seed", report.seed},
             {"colors", colors ? json{colors->green, colors->bare} : json()},
             {"chosen_mask", report.maskChosen},
@@ -94,6 +95,7 @@ Report groundReport(const json& ground, const std::string& place)
     ground.at("altitudes").at(0).get_to(report.input.altitudes.low);
     ground.at("altitudes").at(1).get_to(report.input.altitudes.high);
     ground.at("hash").get_to(report.input.hash);
+    report.input.mapSystem = ground.value("map_system", std::string());
     report.seed = wholeNumberOf(ground, "seed", place + ": ground");
     if (const json& colors = ground.at("colors"); !colors.is_null())
         report.colors = GreenShares{colors.at(0).get<double>(), colors.at(1).get<double>()};

@@ -52,10 +52,12 @@ field::Field frameOf(const terrain::GroundMesh& ground, const BakeSettings& sett
 
 std::string provenanceOf(const BakeSettings& settings, const Report& report)
 {
-    const nlohmann::json object = {{"tool", "sward 0.1.0"},
-                                   {"input_hash", report.input.hash},
-                                   {"blade_scale", report.bladeScale},
-                                   {"settings", nlohmann::json::parse(toJson(settings))}};
+    nlohmann::json object = {{"tool", "sward 0.1.0"},
+                             {"input_hash", report.input.hash},
+                             {"blade_scale", report.bladeScale},
+                             {"settings", nlohmann::json::parse(toJson(settings))}};
+    if (!report.input.mapSystem.empty())
+        object["map_system"] = report.input.mapSystem;
     return jsonText(object);
 }
 

@@ -4,6 +4,7 @@
 #include "bake/whole/warnings.h"
 #include "core/error.h"
 #include "terrain/load.h"
+#include "terrain/maps/map_places.h"
 
 #include <algorithm>
 #include <cmath>
@@ -135,6 +136,7 @@ Report reportOf(const terrain::GroundMesh& ground, const BakeSettings& settings,
     if (needsAltitude(settings))
         report.input.altitudes = altitudesOf(ground, settings.groundUp);
     report.input.hash = terrain::contentHash(ground);
+    report.input.mapSystem = terrain::systemName(ground.mapSystem);
     report.seed = settings.seed;
     report.masks = maskUses(settings);
     report.slope = settings.slope;

@@ -37,6 +37,10 @@ bool isInMemory(std::span<const std::byte> bytes) noexcept;
 /// Asks the system to load the bytes into memory, without waiting.
 void bringIntoMemory(std::span<const std::byte> bytes) noexcept;
 
+/// Takes the whole memory pages within bytes of a MappedFile out of the program's memory. They stay
+/// readable: the system brings them back from its cache or the disk. Of no other bytes.
+void leaveOnDisk(std::span<const std::byte> bytes) noexcept;
+
 /// Reads a whole file of at most `limit` bytes. Throws Error{io} if it cannot be read, Error{input}
 /// if it is larger.
 std::vector<std::byte> readFile(const std::filesystem::path& path,

@@ -139,6 +139,16 @@ void bringIntoMemory(std::span<const std::byte> bytes) noexcept
         ::madvise(pages.begin, pages.size, MADV_WILLNEED);
 }
 
+void leaveOnDisk(std::span<const std::byte> bytes) noexcept
+{
+    const std::size_t before = reinterpret_cast<std::uintptr_t>(bytes.data()) % pageSize();
+    const std::size_t skipped = before == 0 ? 0 : pageSize() - before;
+    if (bytes.size() < skipped + pageSize())
+        return;
+    const std::size_t size = (bytes.size() - skipped) / pageSize() * pageSize();
+    ::madvise(const_cast<std::byte*>(bytes.data()) + skipped, size, MADV_DONTNEED);
+}
+
 std::vector<std::byte> readFile(const std::filesystem::path& path, std::size_t limit)
 {
     Descriptor file;

@@ -104,6 +104,13 @@ void bringIntoMemory(std::span<const std::byte> bytes) noexcept
     ::PrefetchVirtualMemory(::GetCurrentProcess(), 1, &range, 0);
 }
 
+void leaveOnDisk(std::span<const std::byte> bytes) noexcept
+{
+    // Unlocking what is not locked takes it out of the working set.
+    if (!bytes.empty())
+        ::VirtualUnlock(const_cast<std::byte*>(bytes.data()), bytes.size());
+}
+
 std::vector<std::byte> readFile(const std::filesystem::path& path, std::size_t limit)
 {
     const native::Handle file(native::openShared(path.c_str(), GENERIC_READ));

@@ -5,8 +5,8 @@
 #include "interchange/blade_groups.h"
 #include "interchange/compact/morton_order.h"
 #include "interchange/gltf/glb_container.h"
-#include "interchange/gltf/gltf_species.h"
 #include "interchange/gltf/gltf_ground.h"
+#include "interchange/gltf/gltf_species.h"
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
@@ -110,7 +110,7 @@ void writeCompactGlb(const field::FieldView& field, const std::filesystem::path&
     AtomicFile file(path, settings.overwrite);
     progress.begin("export", field.blades.size());
     GltfDocument document(settings.generator, *field.copyright);
-    addSpecies(document, field, meanBlades(field), SpeciesLevels::both);
+    addSpecies(document, field, meanBlades(field, settings.rest), SpeciesLevels::both);
     ordered_json children = ordered_json::array();
     if (settings.withGround)
         if (const std::optional<std::size_t> ground = addGround(document, *field.ground))
@@ -123,6 +123,7 @@ void writeCompactGlb(const field::FieldView& field, const std::filesystem::path&
         document.require(instancingExtension);
         document.require(settings.meshoptExtension);
     }
+    BladeCounter counter(settings.rest);
     for (std::size_t g = 0; g < groups.size(); ++g) {
         const BladeGroup& group = groups[g];
         std::vector<Instance> instances = instancesOf(field, group, settings.source);
@@ -140,6 +141,7 @@ void writeCompactGlb(const field::FieldView& field, const std::filesystem::path&
             children.push_back(node);
         streams.append(streamBytes(compact));
         progress.advance(group.bladeCount);
+        counter.add(group.bladeCount);
     }
 
     const ordered_json origin = {field.origin.x, field.origin.y, field.origin.z};

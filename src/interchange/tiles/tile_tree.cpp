@@ -18,6 +18,16 @@ std::size_t partOf(const glm::dvec3& place, const glm::dvec3& middle)
            (place.z >= middle.z ? 4U : 0U);
 }
 
+// A box that holds the roots of a patch's own blades.
+DAabb rootsOf(const shared::Patch& patch)
+{
+    const glm::vec3 high = glm::min(patch.rootLow + 65535.0f * patch.rootStep, patch.boundsHigh);
+    DAabb box;
+    box.add(glm::dvec3(patch.rootLow));
+    box.add(glm::dvec3(glm::max(high, patch.rootLow)));
+    return box;
+}
+
 float rankOf(const shared::Patch& patch, std::size_t number)
 {
     return patch.rankLow +
@@ -31,8 +41,23 @@ glm::dvec3 tilePlace(const glm::dvec3& place)
     return {place.x, -place.z, place.y};
 }
 
-TileTree::TileTree(const field::FieldView& field)
+glm::dvec3 fieldPlace(const glm::dvec3& place)
+{
+    return {place.x, place.z, -place.y};
+}
+
+DAabb rootBounds(const field::FieldView& field)
+{
+    DAabb bounds;
+    for (const shared::Patch& patch : field.patches)
+        if (patch.bladeCount > 0)
+            bounds.add(rootsOf(patch));
+    return bounds;
+}
+
+TileTree::TileTree(const field::FieldView& field, const EarthBend* bend)
     : field_(field)
+    , bend_(bend)
     , own_(field.patches.size())
     , below_(field.patches.size())
     , counts_(field.patches.size())
@@ -40,20 +65,31 @@ TileTree::TileTree(const field::FieldView& field)
     for (std::size_t p = field.patches.size(); p-- > 0;) {
         const shared::Patch& patch = field.patches[p];
         if (patch.bladeCount > 0) {
-            const glm::vec3 high =
-                glm::min(patch.rootLow + 65535.0f * patch.rootStep, patch.boundsHigh);
-            own_[p].add(tilePlace(glm::dvec3(patch.rootLow)));
-            own_[p].add(tilePlace(glm::dvec3(glm::max(high, patch.rootLow))));
-            below_[p].add(own_[p].low);
-            below_[p].add(own_[p].high);
+            own_[p] = boxOf(patch);
+            below_[p].add(own_[p]);
         }
         counts_[p] += patch.bladeCount;
         if (p > 0 && !below_[p].isEmpty()) {
-            below_[patch.parent].add(below_[p].low);
-            below_[patch.parent].add(below_[p].high);
+            below_[patch.parent].add(below_[p]);
             counts_[patch.parent] += counts_[p];
         }
     }
+}
+
+glm::dvec3 TileTree::placeOf(const glm::vec3& root) const
+{
+    const glm::dvec3 place(root);
+    return tilePlace(bend_ != nullptr ? bend_->moved(place) : place);
+}
+
+DAabb TileTree::boxOf(const shared::Patch& patch) const
+{
+    const DAabb flat = rootsOf(patch);
+    const DAabb bent = bend_ != nullptr ? bend_->moved(flat) : flat;
+    DAabb box;
+    box.add(tilePlace(bent.low));
+    box.add(tilePlace(bent.high));
+    return box;
 }
 
 Tile TileTree::root() const
@@ -73,7 +109,7 @@ Tile TileTree::root() const
 bool TileTree::holds(const Tile& tile, std::size_t blade, const shared::Patch& patch) const
 {
     const glm::dvec3 place =
-        tilePlace(glm::dvec3(shared::unpackBlade(field_.blades[blade], patch).root)) - tile.low;
+        placeOf(shared::unpackBlade(field_.blades[blade], patch).root) - tile.low;
     return place.x >= 0.0 && place.y >= 0.0 && place.z >= 0.0 && place.x < tile.size &&
            place.y < tile.size && place.z < tile.size;
 }
@@ -154,8 +190,14 @@ void TileTree::addOwn(const Tile& tile, std::uint32_t p, bool isWhole, float sha
     const shared::Patch& patch = field_.patches[p];
     for (std::size_t i = 0; i < patch.bladeCount && rankOf(patch, i) < share; ++i) {
         const std::size_t blade = patch.firstBlade + i;
-        if (!field_.isRibbon(blade) && (isWhole || holds(tile, blade, patch)))
-            instances.push_back(instanceOf(field_, p, blade, place, source));
+        if (field_.isRibbon(blade) || (!isWhole && !holds(tile, blade, patch)))
+            continue;
+        Instance& instance = instances.emplace_back(instanceOf(field_, p, blade, place, source));
+        if (bend_ == nullptr)
+            continue;
+        const glm::dvec3 root(instance.blade.root);
+        instance.place = glm::vec3(bend_->moved(root) - place);
+        instance.rotation = glm::quat(bend_->turn(root)) * instance.rotation;
     }
 }
 

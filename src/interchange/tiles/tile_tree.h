@@ -2,6 +2,7 @@
 
 #include "field/field.h"
 #include "interchange/instances.h"
+#include "interchange/tiles/earth_bend.h"
 
 #include <array>
 #include <cstdint>
@@ -20,6 +21,13 @@ struct TileNumber {
 /// A place [m] relative to the field's origin in the axes of 3D Tiles, whose z points upwards.
 glm::dvec3 tilePlace(const glm::dvec3& place);
 
+/// The inverse of tilePlace().
+glm::dvec3 fieldPlace(const glm::dvec3& place);
+
+/// A box that holds all roots, relative to the field's origin in the field's axes; empty without
+/// any.
+DAabb rootBounds(const field::FieldView& field);
+
 /// A tile: the blades whose roots lie in a cube. Their patches are known to lie in it, or may.
 struct Tile {
     TileNumber number;
@@ -29,11 +37,13 @@ struct Tile {
     std::vector<std::uint32_t> partial;  ///< patches of which some own blades may lie in it
 };
 
-/// The octree of tiles over a field. Cubes of at most 32 m are cells of the field's patch tree, so
-/// a tile's blades are mostly those of a patch and of what lies below it.
+/// The octree of tiles over a field, flat or bent onto the Earth. Cubes of at most 32 m are cells
+/// of the flat field's patch tree, so a tile's blades are mostly those of a patch and of what lies
+/// below it.
 class TileTree {
 public:
-    explicit TileTree(const field::FieldView& field);
+    /// `bend` outlives the tree; null: flat.
+    TileTree(const field::FieldView& field, const EarthBend* bend);
 
     /// A cube on multiples of 32 m that holds all roots.
     Tile root() const;
@@ -50,6 +60,8 @@ public:
                                       const std::string& source) const;
 
 private:
+    glm::dvec3 placeOf(const glm::vec3& root) const;
+    DAabb boxOf(const shared::Patch& patch) const;
     bool holds(const Tile& tile, std::size_t blade, const shared::Patch& patch) const;
     void addOwn(const Tile& tile, std::uint32_t patch, bool isWhole, float share,
                 const glm::dvec3& place, const std::string& source,
@@ -60,9 +72,10 @@ private:
                     const glm::dvec3& middle) const;
 
     const field::FieldView& field_;
-    std::vector<Box<glm::dvec3>> own_;   ///< of the roots of each patch, as tilePlace()
-    std::vector<Box<glm::dvec3>> below_; ///< the same with all patches below it
-    std::vector<std::uint64_t> counts_;  ///< blades of each patch and below it
+    const EarthBend* bend_;
+    std::vector<DAabb> own_;            ///< of the roots of each patch, as tilePlace()
+    std::vector<DAabb> below_;          ///< the same with all patches below it
+    std::vector<std::uint64_t> counts_; ///< blades of each patch and below it
 };
 
 } // namespace sward::interchange

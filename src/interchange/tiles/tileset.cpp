@@ -6,7 +6,7 @@
 #include "interchange/compact/morton_order.h"
 #include "interchange/gltf/glb_container.h"
 #include "interchange/gltf/gltf_species.h"
-#include "interchange/tiles/georeference.h"
+#include "interchange/tiles/earth_bend.h"
 #include "interchange/tiles/subtree_files.h"
 #include "interchange/tiles/tile_folders.h"
 #include "interchange/tiles/tile_tree.h"
@@ -16,6 +16,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 #include <utility>
 
 namespace sward::interchange {
@@ -29,10 +30,19 @@ constexpr double smallestTile = 0.5;
 // A share above all ranks.
 constexpr float allBlades = 2.0f;
 
-// The inverse of tilePlace().
-glm::dvec3 fieldPlace(const glm::dvec3& place)
+// The bend of a field that lies on a map.
+std::optional<EarthBend> bendOf(const field::FieldView& field, const ExportSettings& settings)
 {
-    return {place.x, place.z, -place.y};
+    if (!settings.map)
+        return std::nullopt;
+    return EarthBend(*settings.map, field.origin, rootBounds(field));
+}
+
+// From the axes of tiles to those of the field.
+glm::dmat4 fieldAxes()
+{
+    return glm::dmat4(glm::dmat3(fieldPlace({1.0, 0.0, 0.0}), fieldPlace({0.0, 1.0, 0.0}),
+                                 fieldPlace({0.0, 0.0, 1.0})));
 }
 
 class Tileset {
@@ -43,8 +53,10 @@ public:
         , folder_(folder)
         , settings_(settings)
         , progress_(progress)
-        , tree_(field)
-        , means_(meanBlades(field))
+        , bend_(bendOf(field, settings))
+        , tree_(field, bend_ ? &*bend_ : nullptr)
+        , means_(meanBlades(field, settings.rest))
+        , counter_(settings.rest)
     {
     }
 
@@ -72,6 +84,7 @@ private:
             isLeaf ? allBlades : float(tileRepresentatives) / static_cast<float>(blades);
         const bool hasContent = writeContent(tile, share, isLeaf);
         available_.add(tile.number, hasContent);
+        counter_.add(isLeaf ? blades : tileRepresentatives);
         if (isLeaf) {
             progress_.advance(blades);
             return;
@@ -168,6 +181,16 @@ private:
         return viewerErrorPixels * widened * std::exp2(double(deepestLevel_));
     }
 
+    // The field's origin in the world, and the world's on the Earth.
+    glm::dmat4 rootTransform() const
+    {
+        if (bend_)
+            return bend_->toEarth() * fieldAxes();
+        glm::dmat4 transform(1.0);
+        transform[3] = glm::dvec4(tilePlace(field_.origin), 1.0);
+        return settings_.at ? eastNorthUp(*settings_.at) * transform : transform;
+    }
+
     ordered_json description(const Tile& root) const
     {
         const double half = 0.5 * root.size;
@@ -175,11 +198,7 @@ private:
         ordered_json asset = {{"version", "1.1"}, {"generator", settings_.generator}};
         if (!field_.copyright->empty())
             asset["copyright"] = *field_.copyright;
-        // The field's origin in the world, and the world's on the Earth.
-        glm::dmat4 transform(1.0);
-        transform[3] = glm::dvec4(tilePlace(field_.origin), 1.0);
-        if (settings_.at)
-            transform = eastNorthUp(*settings_.at) * transform;
+        const glm::dmat4 transform = rootTransform();
         ordered_json numbers = ordered_json::array();
         for (glm::length_t column = 0; column < 4; ++column)
             for (glm::length_t row = 0; row < 4; ++row)
@@ -206,8 +225,10 @@ private:
     const std::filesystem::path& folder_;
     const ExportSettings& settings_;
     Progress& progress_;
+    std::optional<EarthBend> bend_;
     TileTree tree_;
     std::vector<MeanBlade> means_;
+    BladeCounter counter_;
     TileAvailability available_;
     TilesetSummary summary_;
     std::uint32_t deepestLevel_ = 0; ///< of a tile with children

@@ -34,8 +34,9 @@ struct TilesetSummary {
 /// Writes a tileset of 3D Tiles 1.1 into the empty folder `folder`: tileset.json with implicit
 /// tiling (OCTREE), subtrees/ and content/, compact .glb files (compact/compact_glb.h). Tiles are
 /// replaced by their children. A leaf holds all blades of its cube; any other tile holds those of
-/// the lowest ranks, widened so that they cover as much, in coarse meshes. Holds one tile at a
-/// time. Throws Error{io}, Error{interrupted}, and as bladeOf() does.
+/// the lowest ranks, widened so that they cover as much, in coarse meshes. With ExportSettings::map
+/// the field is bent onto the Earth (EarthBend). Holds one tile at a time. Throws Error{io},
+/// Error{interrupted}, and as bladeOf() and EarthBend() do.
 TilesetSummary writeTiles(const field::FieldView& field, const std::filesystem::path& folder,
                           const ExportSettings& settings, Progress& progress);
 

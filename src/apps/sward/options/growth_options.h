@@ -21,6 +21,9 @@ public:
     /// Adds the options to `app`, with a heading of the help if `group` is not null.
     void add(CLI::App& app, const char* group = nullptr);
 
+    /// Whether an option says which blades grow.
+    bool saysAnything() const { return !region_.empty() || !around_.empty() || share_; }
+
     /// The growth in a field with this origin. Throws Error{usage} naming the option.
     bake::Growth growthIn(const glm::dvec3& origin) const;
 
@@ -33,8 +36,6 @@ public:
                                         Progress& progress) const;
 
 private:
-    bool saysAnything() const { return !region_.empty() || !around_.empty() || share_; }
-
     std::string region_;
     std::string around_;
     std::optional<double> share_;
