@@ -7,7 +7,7 @@ from dataclasses import dataclass, field
 
 COMMANDS = {
     "sward": ["bake", "info", "validate", "compare", "export", "terrain", "plan", "tile", "merge", "edit", "trace", "grow", "lidar"],
-    "sward-view": ["", "render", "bench", "dataset", "devices"],
+    "sward-view": ["", "render", "bench", "dataset", "lidar", "devices"],
 }
 LONGEST_ROW = 200  # of a table; no line of a page is longer
 FACTS = r"required|default: |not with |environment: "

@@ -29,6 +29,7 @@ add_custom_command(TARGET sward_dll POST_BUILD
   VERBATIM)
 
 add_subdirectory(src/apps/common)
+add_subdirectory(src/apps/lidar)
 add_subdirectory(src/apps/sward)
 add_subdirectory(src/apps/sward_view)
 if(SWARD_BUILD_TESTS)

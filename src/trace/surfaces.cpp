@@ -4,8 +4,8 @@
 #include "core/math/srgb.h"
 #include "field/measure/leaf_area.h"
 #include "field/organs.h"
+#include "field/poses/part_look.h"
 #include "shaders/shared/look/blade_colors.h"
-#include "shaders/shared/organ.h"
 
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
@@ -20,34 +20,14 @@
 namespace sward::trace {
 namespace {
 
-// The look of a blade and its species' look, as posedLook() of the shaders has them.
-struct PartLook {
-    shared::Blade blade;
-    shared::Species look;
-};
-
-PartLook lookOf(const field::FieldView& field, shared::OrganTable organs, shared::Blade blade)
-{
-    PartLook part{blade, field.species[blade.species].look};
-    if (part.look.organKinds == 0)
-        return part;
-    if (const std::uint32_t number = blade.clump; number > 0) {
-        std::uint32_t within = 0;
-        part.look = organs.at[shared::organOf(organs, part.look, number, within)].look;
-    }
-    // All parts of a plant have one tone.
-    part.blade.clump = shared::plantKey(blade) % shared::driedClump;
-    return part;
-}
-
 // Appends the strip of a blade.
-void addBlade(Surfaces& surfaces, std::uint32_t index, const PartLook& part, const BladePose& pose,
-              const SurfaceSettings& settings)
+void addBlade(Surfaces& surfaces, std::uint32_t index, const field::PartLook& part,
+              const field::BladePose& pose, const SurfaceSettings& settings)
 {
     const float width = part.blade.width;
     if (!(width > 0.0f) || !(part.blade.height > 0.0f))
         return;
-    RowErrors errors = settings.errors;
+    field::RowErrors errors = settings.errors;
     if (settings.seen) {
         const float distance =
             std::max(glm::length(pose.v0 - settings.seen->eye) - part.blade.height, 0.0f);
@@ -55,7 +35,7 @@ void addBlade(Surfaces& surfaces, std::uint32_t index, const PartLook& part, con
         errors.curve = std::max(errors.curve, enough);
         errors.outline = std::max(errors.outline, enough);
     }
-    const std::vector<float> rows = rowsOf(part.look, pose, width, errors);
+    const std::vector<float> rows = field::rowsOf(part.look, pose, width, errors);
     const bool isFolded = part.look.fold > 0.0f;
     const std::uint32_t columns = isFolded ? 2 : 1;
     if (surfaces.points.size() + rows.size() * (columns + 1) >
@@ -78,7 +58,7 @@ void addBlade(Surfaces& surfaces, std::uint32_t index, const PartLook& part, con
                                .gloss = settings.gloss * part.look.gloss});
     for (std::size_t i = 0; i < rows.size(); ++i) {
         const auto first = static_cast<std::uint32_t>(surfaces.points.size());
-        const BladeRow row = rowAt(part.look, pose, width, rows[i]);
+        const field::BladeRow row = field::rowAt(part.look, pose, width, rows[i]);
         surfaces.along.push_back(rows[i]);
         surfaces.points.push_back(row.left);
         if (isFolded)
@@ -154,7 +134,7 @@ glm::vec3 imageAt(const field::Image& image, glm::vec2 uv)
 
 } // namespace
 
-Surfaces surfacesOf(const field::FieldView& field, const std::vector<BladePose>& poses,
+Surfaces surfacesOf(const field::FieldView& field, const std::vector<field::BladePose>& poses,
                     const SurfaceSettings& settings)
 {
     Surfaces surfaces;
@@ -173,7 +153,8 @@ Surfaces surfacesOf(const field::FieldView& field, const std::vector<BladePose>&
         for (std::uint32_t i = 0; i < cell.bladeCount; ++i) {
             const std::uint32_t index = cell.firstBlade + i;
             const shared::Blade blade = shared::unpackBlade(field.blades[index], cell);
-            addBlade(surfaces, index, lookOf(field, table, blade), poses[index], settings);
+            addBlade(surfaces, index, field::partLookOf(field, table, blade), poses[index],
+                     settings);
         }
     addGround(surfaces, *field.ground);
     surfaces.points.emplace_back(0.0f);

@@ -1,10 +1,10 @@
 #pragma once
 
 #include "field/field.h"
+#include "field/poses/blade_poses.h"
+#include "field/poses/blade_rows.h"
 #include "shaders/shared/cover.h"
 #include "shaders/shared/look/leaf_finish.h"
-#include "trace/blade_poses.h"
-#include "trace/blade_rows.h"
 #include "trace/leaf.h"
 
 #include <glm/vec2.hpp>
@@ -76,13 +76,13 @@ struct SurfaceSettings {
     float gloss = 1.0f;         ///< [0, 1] factor of the species' gloss
     float translucency = 1.0f;  ///< [0, 1] factor of the species' translucency
     float thatch = 1.0f;        ///< [0, 1] as render::FrameSettings::thatch
-    RowErrors errors{};         ///< of strips; more where far away
+    field::RowErrors errors{};  ///< of strips; more where far away
     std::optional<Seen> seen{}; ///< from where; unset: nothing is far away
 };
 
 /// `poses`: one for each blade. Throws Error{runtime} if the field has too many quads for one
 /// scene.
-Surfaces surfacesOf(const field::FieldView& field, const std::vector<BladePose>& poses,
+Surfaces surfacesOf(const field::FieldView& field, const std::vector<field::BladePose>& poses,
                     const SurfaceSettings& settings);
 
 /// The ground alone, without undergrowth: for rays.

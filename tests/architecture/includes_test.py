@@ -23,6 +23,7 @@ FOLDERS = {
     "terrain": "terrain",
     "field": "src/field",
     "interchange": "src/interchange",
+    "lidar": "src/lidar",
     "trace": "src/trace",
     "bake": "src/bake",
     "gpu": "src/gpu",
@@ -31,6 +32,7 @@ FOLDERS = {
     "c": "src/c",
     "godot": "src/godot",
     "apps_common": "src/apps/common",
+    "apps_lidar": "src/apps/lidar",
     "sward": "src/apps/sward",
     "sward_view": "src/apps/sward_view",
     "python": "src/python",
@@ -45,7 +47,8 @@ MAY_USE = {
                "draco meshoptimizer gdal intrinsics",
     "field": "core shared fmt glm nlohmann xxhash zstd stb",
     "interchange": "core shared field fmt glm meshoptimizer nlohmann stb",
-    "trace": "core shared field fmt glm embree tbb",
+    "lidar": "core shared field fmt glm",
+    "trace": "core shared field lidar fmt glm embree tbb",
     "bake": "core shared terrain field fmt glm nlohmann tbb meshoptimizer",
     "gpu": "core fmt glm vulkan",
     "render": "core shared shaders field gpu fmt glm vulkan",
@@ -53,9 +56,10 @@ MAY_USE = {
     "c": "core shared field gpu render presentation glm vulkan",
     "godot": "core shared field interchange gpu c fmt glm vulkan posix",
     "apps_common": "core fmt glm nlohmann cli11 stb openexr",
-    "sward": "core shared terrain field interchange trace bake apps_common fmt glm nlohmann cli11",
-    "sward_view": "core shared shaders field gpu render presentation apps_common fmt glm nlohmann cli11 posix "
-                  "vulkan glfw imgui stb",
+    "apps_lidar": "core shared field lidar apps_common fmt glm cli11",
+    "sward": "core shared terrain field interchange lidar trace bake apps_common apps_lidar fmt glm nlohmann cli11",
+    "sward_view": "core shared shaders field lidar gpu render presentation apps_common apps_lidar fmt glm nlohmann cli11 "
+                  "posix vulkan glfw imgui stb",
     "python": "core shared terrain field interchange bake gpu render presentation apps_common sward sward_view "
               "fmt glm cli11 pybind11",
 }
@@ -108,19 +112,19 @@ ONLY_IN = {
 # that holds them all.
 INSIDE = {
     "core": "math system process files json",
-    "shared": "look sow layers",
-    "field": "file measure seeds",
+    "shared": "look sow layers lidar",
+    "field": "file measure seeds poses",
     "interchange": "engine usda gltf compact tiles",
     "godot": "abi field native",
     "gpu": "context recording memory pipeline device presentation",
     "render": "frame field edits streaming sowing host resident cull resolve raster tessellation preview layers viewer",
     "bake": "ground mask settings paint filter sample poisson patches blades plan tiles whole seeds session",
-    "shaders": "common sow blade cull raster resolve tessellation preview layers bench",
+    "shaders": "common sow blade cull raster resolve tessellation preview layers lidar bench",
     "terrain": "topology image files maps heightmap gltf mesh_files procedural query loading",
     "terrain/gltf": "file codecs",
     "apps_common": "terminal picture",
     "sward": "files text options",
-    "sward_view": "files picture scene fields paint interface navigation panels window headless dataset",
+    "sward_view": "files picture scene fields paint interface navigation panels window headless dataset lidar",
 }
 
 # Libraries whose sources all lie in folders.

@@ -2,10 +2,10 @@
 
 #include "core/error.h"
 #include "core/expect.h"
+#include "field/poses/blade_poses.h"
 #include "fuzz/entries.h"
 #include "fuzz/memory_file.h"
 #include "support/fields/fields.h"
-#include "trace/blade_poses.h"
 
 #include <cmath>
 
@@ -15,10 +15,10 @@ void poses(Bytes bytes)
 {
     static const field::Field field = test::makeField({.blades = posesBlades});
     try {
-        const std::vector<trace::BladePose> read =
-            trace::readPoses(field::viewOf(field), memoryFile().hold(bytes, ".csv"));
+        const std::vector<field::BladePose> read =
+            field::readPoses(field::viewOf(field), memoryFile().hold(bytes, ".csv"));
         expect(read.size() == posesBlades, "a pose for each blade");
-        for (const trace::BladePose& pose : read)
+        for (const field::BladePose& pose : read)
             expect(std::isfinite(pose.axis.x), "an axis");
     } catch (const Error&) {
     }

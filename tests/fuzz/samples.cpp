@@ -5,13 +5,13 @@
 #include "bake/tiles/tile_files.h"
 #include "core/files/mapped_file.h"
 #include "field/delta.h"
+#include "field/poses/blade_poses.h"
 #include "field/write.h"
 #include "fuzz/memory_file.h"
 #include "presentation/settings_text.h"
 #include "support/fields/fields.h"
 #include "terrain/load.h"
 #include "terrain/recipe.h"
-#include "trace/blade_poses.h"
 #include "unit/field/sample_seeds.h"
 #include "unit/terrain/gltf/compressed_glb.h"
 #include "unit/terrain/image_files.h"
@@ -191,7 +191,7 @@ void addPoses(std::vector<Sample>& all)
 {
     const field::Field field = test::makeField({.blades = posesBlades});
     const field::FieldView view = field::viewOf(field);
-    const std::vector<trace::BladePose> poses = trace::restingPoses(view);
+    const std::vector<field::BladePose> poses = field::restingPoses(view);
     std::string text = "id,x,y,z,v1x,v1y,v1z,v2x,v2y,v2z,ux,uy,uz,eta,lod_width,cull_result\n";
     for (std::size_t i = 0; i < poses.size(); ++i) {
         text += std::to_string(view.idOf(i));

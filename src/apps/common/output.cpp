@@ -7,6 +7,8 @@
 #include "core/lower_case.h"
 #include "core/plain_text.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <array>
 #include <cerrno>
@@ -55,6 +57,21 @@ void writeResult(std::string_view text)
                          std::fflush(stdout) == 0;
     if (!written)
         fail(ErrorKind::io, "standard output: cannot write: {}", std::strerror(errno));
+}
+
+std::string sizeText(std::uint64_t bytes)
+{
+    constexpr std::array<const char*, 4> units{"kB", "MB", "GB", "TB"};
+    if (bytes < 1000)
+        return fmt::format("{} bytes", bytes);
+    double value = double(bytes) / 1000.0;
+    std::size_t unit = 0;
+    // 999.95 would be printed as 1000.0.
+    while (value >= 999.95 && unit + 1 < units.size()) {
+        value /= 1000.0;
+        ++unit;
+    }
+    return fmt::format("{:.1f} {}", value, units[unit]);
 }
 
 void requireOutput(const std::string& path, std::string_view extension, bool overwrite)

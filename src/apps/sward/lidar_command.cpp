@@ -3,19 +3,20 @@
 #include "apps/common/output.h"
 #include "apps/common/terminal/log_switches.h"
 #include "apps/common/terminal/progress_bar.h"
-#include "apps/sward/files/beam_file.h"
+#include "apps/lidar/beam_file.h"
+#include "apps/lidar/lidar_options.h"
+#include "apps/lidar/point_file.h"
+#include "apps/lidar/point_writer.h"
 #include "apps/sward/files/output_files.h"
-#include "apps/sward/files/point_file.h"
 #include "apps/sward/options/growth_options.h"
-#include "apps/sward/options/lidar_options.h"
 #include "apps/sward/subcommand.h"
-#include "apps/sward/text/bake_summary.h"
 #include "bake/settings/threads.h"
 #include "core/log.h"
 #include "core/stopwatch.h"
+#include "field/poses/blade_poses.h"
 #include "field/read.h"
-#include "shaders/shared/blade.h"
-#include "trace/blade_poses.h"
+#include "trace/lidar.h"
+#include "trace/ray_scene.h"
 
 #include <CLI/CLI.hpp>
 #include <fmt/core.h>
@@ -23,6 +24,8 @@
 #include <algorithm>
 #include <filesystem>
 #include <optional>
+#include <utility>
+#include <vector>
 
 namespace sward::apps {
 namespace {
@@ -35,7 +38,7 @@ public:
               "Measure a field as a range sensor does: points with the blade that each pulse meets",
               "sward lidar meadow.sward -o points.npy --scanner 0,0 --above 1.8 --rings 64")
     {
-        options_.add(app());
+        options_.add(app(), true, "at rest, without wind");
         growth_.add(app(), "Of a field with seeds");
         log_.add(app());
         log_.addBar(app());
@@ -72,40 +75,44 @@ private:
     {
         Stopwatch watch;
         progress.begin("scene", 1);
-        const std::vector<trace::BladePose> poses = options_.poses.empty()
-                                                        ? trace::restingPoses(view)
-                                                        : trace::readPoses(view, options_.poses);
-        std::vector<std::uint8_t> species(view.blades.size());
-        for (const shared::Patch& patch : view.patches)
-            for (std::size_t i = patch.firstBlade; i < patch.firstBlade + patch.bladeCount; ++i)
-                species[i] =
-                    static_cast<std::uint8_t>(shared::unpackBlade(view.blades[i], patch).species);
-        const trace::LidarSettings settings = options_.settingsFor(view);
-        const trace::Beams beams =
-            options_.beams.empty()
-                ? options_.patternOver(view, trace::RayScene(trace::groundOf(view)))
-                : readBeams(options_.beams);
+        const auto threads = static_cast<unsigned>(bake::threadCount(options_.threads));
+        const std::vector<field::BladePose> poses = options_.poses.empty()
+                                                        ? field::restingPoses(view, threads)
+                                                        : field::readPoses(view, options_.poses);
+        const std::vector<std::uint8_t> species = speciesOfBlades(view);
+        const lidar::LidarSettings settings = options_.settingsFor(view);
+        const lidar::Beams beams =
+            options_.beamsOver(view, [&](double x, double z) { return highestGround(view, x, z); });
         const trace::RayScene scene(trace::surfacesOf(view, poses, {}));
         log::debug("scene: {} quads, {} triangles of ground, {:.1f} s",
                    scene.surfaces().quads.size(), scene.surfaces().groundTriangles.size(),
                    watch.lap());
 
         PointFile points(options_.output, view, species, options_.overwrite);
+        PointWriter writer(points, threads);
         progress.begin("measuring", beams.count);
-        const trace::LidarCounts counts = trace::scan(
+        const lidar::LidarCounts counts = trace::scan(
             scene, view.origin, species, beams, settings,
-            [&](std::span<const trace::LidarReturn> some) { points.add(some); }, progress);
+            [&](lidar::ReturnParts some) { writer.add(std::move(some)); }, progress);
+        writer.finish();
         const double seconds = watch.lap();
         points.commit();
         bar.clear();
-        const double rays = std::max(double(counts.rays), 1.0);
-        writeResult(fmt::format("{}: {} points of {} pulses, {}; {:.1f} % of the rays met the "
-                                "ground, {:.1f} % nothing; {:.2f} million pulses a second\n",
-                                options_.output, counts.returns, counts.beams,
-                                sizeText(std::filesystem::file_size(options_.output)),
-                                100.0 * double(counts.groundRays) / rays,
-                                100.0 * double(counts.freeRays) / rays,
+        writeResult(fmt::format("{}; {:.2f} million pulses a second\n",
+                                countsText(options_.output, counts),
                                 1e-6 * double(counts.beams) / std::max(seconds, 1e-9)));
+    }
+
+    // Its Y in the world.
+    static std::optional<double> highestGround(const field::FieldView& view, double x, double z)
+    {
+        const float top = view.bounds().high.y + 1.0f;
+        const glm::vec3 from(static_cast<float>(x - view.origin.x), top,
+                             static_cast<float>(z - view.origin.z));
+        trace::RayHit hit;
+        if (!trace::RayScene(trace::groundOf(view)).meets(from, {0.0f, -1.0f, 0.0f}, hit))
+            return std::nullopt;
+        return view.origin.y + double(top) - double(hit.distance);
     }
 
     LidarOptions options_;

@@ -13,8 +13,8 @@
 #include "core/log.h"
 #include "core/lower_case.h"
 #include "core/stopwatch.h"
+#include "field/poses/blade_poses.h"
 #include "field/read.h"
-#include "trace/blade_poses.h"
 #include "trace/tracer.h"
 
 #include <CLI/CLI.hpp>
@@ -71,9 +71,9 @@ private:
         Stopwatch watch;
         const double processorBefore = processorSeconds();
         progress.begin("scene", 1);
-        const std::vector<trace::BladePose> poses = options_.poses.empty()
-                                                        ? trace::restingPoses(view)
-                                                        : trace::readPoses(view, options_.poses);
+        const std::vector<field::BladePose> poses = options_.poses.empty()
+                                                        ? field::restingPoses(view)
+                                                        : field::readPoses(view, options_.poses);
         const trace::Light light = options_.lightOver(view);
         const trace::TraceSettings& settings = options_.settings();
         const trace::Camera camera =

@@ -14,6 +14,7 @@ namespace sward::view {
 void addRenderCommand(CLI::App& app, apps::Command& chosen);
 void addBenchCommand(CLI::App& app, apps::Command& chosen);
 void addDatasetCommand(CLI::App& app, apps::Command& chosen);
+void addLidarCommand(CLI::App& app, apps::Command& chosen);
 void addDevicesCommand(CLI::App& app, apps::Command& chosen);
 
 /// The window: positional arguments and options of the program itself, without a command.

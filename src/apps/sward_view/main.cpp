@@ -22,6 +22,7 @@ int main(int argc, char** argv)
         view::addRenderCommand(app, chosen);
         view::addBenchCommand(app, chosen);
         view::addDatasetCommand(app, chosen);
+        view::addLidarCommand(app, chosen);
         view::addDevicesCommand(app, chosen);
         if (const std::optional<int> done = apps::parseCommandLine(app, argc, argv))
             return *done;

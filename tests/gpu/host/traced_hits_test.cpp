@@ -66,7 +66,7 @@ protected:
     {
         const field::FieldView view = field::viewOf(field_);
         const trace::RayScene scene(
-            trace::surfacesOf(view, trace::restingPoses(view), {.errors = {.curve = curveError}}));
+            trace::surfacesOf(view, field::restingPoses(view), {.errors = {.curve = curveError}}));
         const trace::Camera camera{
             .eye = eye, .target = glm::dvec3(0.0), .fovY = glm::degrees(2.0 * std::atan(0.5))};
         trace::Tracer tracer(scene, camera, view.origin, {}, {.size = pictureSize});
@@ -114,11 +114,11 @@ TEST_F(TracedHitsTest, AreWhatTheRasteriserShows)
     const std::vector<float> raster = drawn(eye);
     EXPECT_GT(std::count_if(raster.begin(), raster.end(), [](float d) { return std::isfinite(d); }),
               std::ptrdiff_t(raster.size() / 8));
-    const Agreement usual = agreementOf(raster, met(eye, trace::RowErrors().curve));
+    const Agreement usual = agreementOf(raster, met(eye, field::RowErrors().curve));
     EXPECT_GE(usual.near, 0.995);
     EXPECT_GE(usual.same, 0.97);
     // What is left is due to the chords of the strips.
-    const Agreement fine = agreementOf(raster, met(eye, 0.1f * trace::RowErrors().curve));
+    const Agreement fine = agreementOf(raster, met(eye, 0.1f * field::RowErrors().curve));
     EXPECT_GE(fine.near, 0.999);
     EXPECT_GE(fine.same, 0.995);
 }

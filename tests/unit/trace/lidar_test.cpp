@@ -1,7 +1,8 @@
 #include "core/error.h"
 #include "core/random.h"
+#include "lidar/beam_patterns.h"
 #include "scenes.h"
-#include "trace/beam_patterns.h"
+#include "trace/lidar.h"
 
 #include <glm/geometric.hpp>
 #include <gtest/gtest.h>
@@ -12,6 +13,8 @@
 
 namespace sward::trace {
 namespace {
+
+using namespace lidar;
 
 constexpr float degree = std::numbers::pi_v<float> / 180.0f;
 
@@ -30,8 +33,9 @@ Scan scanned(const RayScene& scene, const Beams& beams, const LidarSettings& set
     const std::vector<std::uint8_t> species(blades, 0);
     result.counts = scan(
         scene, glm::dvec3(0.0), species, beams, settings,
-        [&](std::span<const LidarReturn> some) {
-            result.returns.insert(result.returns.end(), some.begin(), some.end());
+        [&](const ReturnParts& parts) {
+            for (const std::vector<LidarReturn>& some : parts)
+                result.returns.insert(result.returns.end(), some.begin(), some.end());
         },
         progress);
     return result;
@@ -216,6 +220,24 @@ TEST(Lidar, PatternsCoverWhatTheySay)
     EXPECT_NEAR(high.x, 1010.0, 1e-4);
     EXPECT_NEAR(low.z, 0.0, 1e-4);
     EXPECT_NEAR(high.z, 5.0, 1e-4);
+
+    // In fans they meet the same places, from lines of flight, at no larger angle.
+    grid.tilt = 0.0f;
+    grid.sweep = 0.02f;
+    const Beams fans = beamsOf(grid);
+    ASSERT_EQ(fans.count, beams.count);
+    float widest = 0.0f;
+    for (std::uint64_t i = 0; i < fans.count; ++i) {
+        const Beam beam = fans.beam(i);
+        const glm::dvec3 middle =
+            beam.from + glm::dvec3(beam.towards) * (50.5 / double(-beam.towards.y));
+        EXPECT_NEAR(middle.x, 1000.0 + 0.5 * double(i % 21), 1e-4);
+        EXPECT_NEAR(std::abs(middle.z - std::round(2.0 * middle.z) / 2.0), 0.0, 1e-4);
+        EXPECT_EQ(beam.towards.x, 0.0f);
+        widest = std::max(widest, std::acos(-beam.towards.y));
+    }
+    EXPECT_LE(widest, 0.0201f);
+    EXPECT_GT(widest, 0.01f);
     grid.spacing = 1e-7;
     EXPECT_THROW(beamsOf(grid), Error);
 }

@@ -18,7 +18,7 @@ namespace {
 Surfaces surfacesAtRest(const field::Field& meadow)
 {
     const field::FieldView view = field::viewOf(meadow);
-    return surfacesOf(view, restingPoses(view), {});
+    return surfacesOf(view, field::restingPoses(view), {});
 }
 
 // [m²] of all blades, one side.
@@ -92,7 +92,7 @@ TEST(Surfaces, FarBladesHaveFewerQuadsAndTheSameArea)
 {
     const field::Field meadow = test::makeField({.blades = 200});
     const field::FieldView view = field::viewOf(meadow);
-    const std::vector<BladePose> poses = restingPoses(view);
+    const std::vector<field::BladePose> poses = field::restingPoses(view);
     const auto seenFrom = [&](float distance) {
         return surfacesOf(view, poses,
                           {.seen = Seen{.eye = {0.0f, distance, 0.0f}, .pixel = 0.001f}});
@@ -109,12 +109,12 @@ TEST(Surfaces, FarBladesHaveFewerQuadsAndTheSameArea)
 TEST(Surfaces, RayAcrossABladeFindsItsPlace)
 {
     const field::Field meadow = test::makeField({.blades = 60, .hasGround = false});
-    const std::vector<BladePose> poses = restingPoses(field::viewOf(meadow));
+    const std::vector<field::BladePose> poses = field::restingPoses(field::viewOf(meadow));
     Surfaces made = surfacesOf(field::viewOf(meadow), poses, {});
     const RayScene scene(std::move(made));
     int found = 0;
     for (std::size_t blade = 0; blade < poses.size(); ++blade) {
-        const BladePose& pose = poses[blade];
+        const field::BladePose& pose = poses[blade];
         const glm::vec3 place = shared::bezierPoint(pose.v0, pose.v1, pose.v2, 0.4f);
         const glm::vec3 tangent =
             glm::normalize(shared::bezierTangent(pose.v0, pose.v1, pose.v2, 0.4f));

@@ -73,7 +73,7 @@ RayScene grass(std::size_t blades = 400)
 {
     const field::Field meadow = test::makeField({.blades = blades, .extent = 2.0f});
     const field::FieldView view = field::viewOf(meadow);
-    return RayScene(surfacesOf(view, restingPoses(view), {}));
+    return RayScene(surfacesOf(view, field::restingPoses(view), {}));
 }
 
 TEST(Tracer, WhiteFurnaceIsAsBrightAsItsSky)

@@ -10,21 +10,6 @@
 
 namespace sward::apps {
 
-std::string sizeText(std::uint64_t bytes)
-{
-    constexpr std::array<const char*, 4> units{"kB", "MB", "GB", "TB"};
-    if (bytes < 1000)
-        return fmt::format("{} bytes", bytes);
-    double value = double(bytes) / 1000.0;
-    std::size_t unit = 0;
-    // 999.95 would be printed as 1000.0.
-    while (value >= 999.95 && unit + 1 < units.size()) {
-        value /= 1000.0;
-        ++unit;
-    }
-    return fmt::format("{:.1f} {}", value, units[unit]);
-}
-
 std::string resultLine(const std::string& name, const bake::Report& report)
 {
     const std::string seeds =

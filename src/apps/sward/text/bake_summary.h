@@ -1,15 +1,12 @@
 #pragma once
 
+#include "apps/common/output.h"
 #include "bake/report.h"
 #include "terrain/topology/topology.h"
 
-#include <cstdint>
 #include <string>
 
 namespace sward::apps {
-
-/// "3.1 MB": a readable size.
-std::string sizeText(std::uint64_t bytes);
 
 /// "meadow.sward: 182344 blades in 1212 patches, 3.1 MB, 2.3 s"; `name` comes first.
 std::string resultLine(const std::string& name, const bake::Report& report);

@@ -195,7 +195,7 @@ TEST_F(LayersTest, HoldTheBladesThatRaysMeet)
     meadow.draw(0);
     const Drawn drawn = meadow.draw();
     const field::FieldView view = meadow.view();
-    std::vector<trace::BladePose> poses;
+    std::vector<field::BladePose> poses;
     const auto posed = posesOf(view, drawn.blades);
     for (const FieldRenderer::BladeRecord& record : drawn.blades) {
         const Pose& pose = posed.at(LayerId::of(record.id));

@@ -1,4 +1,4 @@
-#include "apps/sward/files/beam_file.h"
+#include "apps/lidar/beam_file.h"
 
 #include "core/error.h"
 #include "core/files/mapped_file.h"
@@ -26,7 +26,7 @@ constexpr std::size_t largestText = 1u << 30; // [bytes] of a .csv
 constexpr std::size_t largestNumpyHeader = 1u << 16;
 constexpr const char* columnNames[] = {"x", "y", "z", "dx", "dy", "dz"};
 
-trace::Beam beamOf(const Row& row, const std::string& path, const char* what, std::uint64_t number)
+lidar::Beam beamOf(const Row& row, const std::string& path, const char* what, std::uint64_t number)
 {
     for (std::size_t i = 0; i < row.size(); ++i)
         if (!(std::abs(row[i]) <= farthestPlace))
@@ -50,7 +50,7 @@ std::string_view headerValue(std::string_view header, std::string_view key)
     return rest.substr(0, rest.find('}'));
 }
 
-trace::Beams readNumpy(const std::string& path)
+lidar::Beams readNumpy(const std::string& path)
 {
     const auto file = std::make_shared<const MappedFile>(path);
     const std::span<const std::byte> bytes = file->bytes();
@@ -126,11 +126,11 @@ std::vector<std::string_view> cellsOf(std::string_view line)
     }
 }
 
-trace::Beams readTable(const std::string& path)
+lidar::Beams readTable(const std::string& path)
 {
     const std::vector<std::byte> bytes = readFile(path, largestText);
     std::string_view rest(reinterpret_cast<const char*>(bytes.data()), bytes.size());
-    const auto rows = std::make_shared<std::vector<trace::Beam>>();
+    const auto rows = std::make_shared<std::vector<lidar::Beam>>();
     std::array<std::size_t, 6> places{};
     std::size_t width = 0;
     for (std::uint64_t line = 1; !rest.empty(); ++line) {
@@ -173,7 +173,7 @@ trace::Beams readTable(const std::string& path)
 
 } // namespace
 
-trace::Beams readBeams(const std::string& path)
+lidar::Beams readBeams(const std::string& path)
 {
     const std::string extension = lowerCase(std::filesystem::path(path).extension().string());
     if (extension != ".npy" && extension != ".csv")

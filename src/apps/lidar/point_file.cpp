@@ -1,8 +1,10 @@
-#include "apps/sward/files/point_file.h"
+#include "apps/lidar/point_file.h"
 
+#include "apps/common/output.h"
 #include "apps/common/version.h"
 #include "core/error.h"
 #include "core/lower_case.h"
+#include "shaders/shared/blade.h"
 
 #include <fmt/format.h>
 #include <glm/common.hpp>
@@ -21,7 +23,8 @@ constexpr std::uint8_t groundClass = 2, lowVegetation = 3;
 constexpr std::uint8_t noSpecies = 255;
 
 constexpr std::size_t lasHeaderSize = 375, lasPointSize = 30;
-constexpr double lasStep = 0.001; // [m]
+constexpr double lasStep = 0.001;          // [m]
+constexpr std::size_t plainPointSize = 56; // of .npy and .ply
 
 std::string extensionOf(const std::string& path)
 {
@@ -89,6 +92,28 @@ void requirePointName(const std::string& path)
         fail(ErrorKind::usage, "--output: '{}' is neither .ply nor .npy nor .las", path);
 }
 
+std::vector<std::uint8_t> speciesOfBlades(const field::FieldView& field)
+{
+    std::vector<std::uint8_t> species(field.blades.size());
+    for (const shared::Patch& patch : field.patches)
+        for (std::size_t i = patch.firstBlade; i < patch.firstBlade + patch.bladeCount; ++i)
+            species[i] =
+                static_cast<std::uint8_t>(shared::unpackBlade(field.blades[i], patch).species);
+    return species;
+}
+
+std::string countsText(const std::string& output, const lidar::LidarCounts& counts)
+{
+    const double rays = std::max(double(counts.rays), 1.0);
+    const std::string file =
+        output.empty() ? std::string() : ", " + sizeText(std::filesystem::file_size(output));
+    return fmt::format("{}{} points of {} pulses{}; {:.1f} % of the rays met the ground, {:.1f} % "
+                       "nothing",
+                       output.empty() ? "" : output + ": ", counts.returns, counts.beams, file,
+                       100.0 * double(counts.groundRays) / rays,
+                       100.0 * double(counts.freeRays) / rays);
+}
+
 PointFile::PointFile(const std::string& path, const field::FieldView& field,
                      std::span<const std::uint8_t> species, bool overwrite)
     : path_(path)
@@ -106,9 +131,9 @@ PointFile::PointFile(const std::string& path, const field::FieldView& field,
 std::string PointFile::header() const
 {
     if (format_ == Format::ply)
-        return plyHeader(count_);
+        return plyHeader(all_.count);
     if (format_ == Format::npy)
-        return numpyHeader(count_);
+        return numpyHeader(all_.count);
     std::string header(lasHeaderSize, '\0');
     std::memcpy(header.data(), "LASF", 4);
     putAt<std::uint16_t>(header, 6, 1u << 4); // a place's system of coordinates would be WKT
@@ -122,7 +147,8 @@ std::string PointFile::header() const
     header[104] = 6;
     putAt<std::uint16_t>(header, 105, lasPointSize);
     const glm::dvec3 offset = lasAxes(field_.origin);
-    const glm::dvec3 low = count_ > 0 ? low_ : offset, high = count_ > 0 ? high_ : offset;
+    const glm::dvec3 low = all_.count > 0 ? all_.low : offset,
+                     high = all_.count > 0 ? all_.high : offset;
     for (glm::length_t axis = 0; axis < 3; ++axis) {
         const auto at = static_cast<std::size_t>(axis);
         putAt(header, 131 + 8 * at, lasStep);
@@ -130,9 +156,9 @@ std::string PointFile::header() const
         putAt(header, 179 + 16 * at, high[axis]);
         putAt(header, 187 + 16 * at, low[axis]);
     }
-    putAt(header, 247, count_);
-    for (std::size_t number = 0; number < ofNumber_.size(); ++number)
-        putAt(header, 255 + 8 * number, ofNumber_[number]);
+    putAt(header, 247, all_.count);
+    for (std::size_t number = 0; number < all_.ofNumber.size(); ++number)
+        putAt(header, 255 + 8 * number, all_.ofNumber[number]);
     return header;
 }
 
@@ -145,15 +171,30 @@ std::size_t PointFile::rootedRow(std::uint32_t blade) const
     return row;
 }
 
-template <typename T>
-void PointFile::put(T value)
+// The bytes of a point, one value after another.
+class PointFile::Row {
+public:
+    explicit Row(std::byte* at)
+        : at_(at)
+    {
+    }
+    template <typename T>
+    void put(T value)
+    {
+        std::memcpy(at_, &value, sizeof value);
+        at_ += sizeof value;
+    }
+
+private:
+    std::byte* at_;
+};
+
+std::size_t PointFile::pointSize() const
 {
-    const std::size_t at = bytes_.size();
-    bytes_.resize(at + sizeof value);
-    std::memcpy(bytes_.data() + at, &value, sizeof value);
+    return format_ == Format::las ? lasPointSize : plainPointSize;
 }
 
-void PointFile::addLas(const trace::LidarReturn& point)
+void PointFile::putLas(Row& row, const lidar::LidarReturn& point, PointBytes& made) const
 {
     const glm::dvec3 offset = lasAxes(field_.origin);
     const glm::dvec3 place = lasAxes(point.place);
@@ -165,54 +206,72 @@ void PointFile::addLas(const trace::LidarReturn& point)
                  "of {} m",
                  path_, place[axis] - offset[axis],
                  std::numeric_limits<std::int32_t>::max() * lasStep, lasStep);
-        put(static_cast<std::int32_t>(steps));
+        row.put(static_cast<std::int32_t>(steps));
         const double stored = offset[axis] + steps * lasStep;
-        low_[axis] = std::min(low_[axis], stored);
-        high_[axis] = std::max(high_[axis], stored);
+        made.low[axis] = std::min(made.low[axis], stored);
+        made.high[axis] = std::max(made.high[axis], stored);
     }
-    const bool isGround = point.blade == trace::LidarReturn::ground;
-    put(static_cast<std::uint16_t>(
+    const bool isGround = point.blade == lidar::LidarReturn::ground;
+    row.put(static_cast<std::uint16_t>(
         std::lround(65535.0 * std::clamp(double(point.intensity), 0.0, 1.0))));
-    put(static_cast<std::uint8_t>(point.number | point.returns << 4));
-    put(std::uint8_t(0));
-    put(isGround ? groundClass : lowVegetation);
-    put(isGround ? noSpecies : species_[point.blade]);
-    put(std::int16_t(0));
-    put(std::uint16_t(0));
-    put(double(point.beam));
+    row.put(static_cast<std::uint8_t>(point.number | point.returns << 4));
+    row.put(std::uint8_t(0));
+    row.put(isGround ? groundClass : lowVegetation);
+    row.put(isGround ? noSpecies : species_[point.blade]);
+    row.put(std::int16_t(0));
+    row.put(std::uint16_t(0));
+    row.put(double(point.beam));
 }
 
-void PointFile::add(std::span<const trace::LidarReturn> points)
+void PointFile::putPoint(Row& row, const lidar::LidarReturn& point) const
 {
-    bytes_.clear();
-    for (const trace::LidarReturn& point : points) {
-        ++ofNumber_[point.number - 1u];
-        if (format_ == Format::las) {
-            addLas(point);
-            continue;
-        }
-        const bool isGround = point.blade == trace::LidarReturn::ground;
-        for (glm::length_t axis = 0; axis < 3; ++axis)
-            put(point.place[axis]);
-        put(static_cast<float>(point.range));
-        put(point.intensity);
-        put(glm::degrees(point.incidence));
-        put(point.number);
-        put(point.returns);
-        put(isGround ? groundClass : lowVegetation);
-        put(isGround ? noSpecies : species_[point.blade]);
-        const std::int64_t id =
-            isGround ? -1 : static_cast<std::int64_t>(field_.idOf(rootedRow(point.blade)));
-        if (format_ == Format::ply) {
-            put(double(point.beam));
-            put(double(id)); // exact: ids are below 2⁵³
-        } else {
-            put(point.beam);
-            put(id);
-        }
+    const bool isGround = point.blade == lidar::LidarReturn::ground;
+    for (glm::length_t axis = 0; axis < 3; ++axis)
+        row.put(point.place[axis]);
+    row.put(static_cast<float>(point.range));
+    row.put(point.intensity);
+    row.put(glm::degrees(point.incidence));
+    row.put(point.number);
+    row.put(point.returns);
+    row.put(isGround ? groundClass : lowVegetation);
+    row.put(isGround ? noSpecies : species_[point.blade]);
+    const std::int64_t id =
+        isGround ? -1 : static_cast<std::int64_t>(field_.idOf(rootedRow(point.blade)));
+    if (format_ == Format::ply) {
+        row.put(double(point.beam));
+        row.put(double(id)); // exact: ids are below 2⁵³
+    } else {
+        row.put(point.beam);
+        row.put(id);
     }
-    count_ += points.size();
-    file_.write(bytes_);
+}
+
+PointBytes PointFile::encode(std::span<const lidar::LidarReturn> points) const
+{
+    PointBytes made;
+    made.count = points.size();
+    made.bytes.resize(points.size() * pointSize());
+    std::byte* at = made.bytes.data();
+    for (const lidar::LidarReturn& point : points) {
+        ++made.ofNumber[point.number - 1u];
+        Row row(at);
+        if (format_ == Format::las)
+            putLas(row, point, made);
+        else
+            putPoint(row, point);
+        at += pointSize();
+    }
+    return made;
+}
+
+void PointFile::add(const PointBytes& points)
+{
+    all_.count += points.count;
+    for (std::size_t i = 0; i < all_.ofNumber.size(); ++i)
+        all_.ofNumber[i] += points.ofNumber[i];
+    all_.low = glm::min(all_.low, points.low);
+    all_.high = glm::max(all_.high, points.high);
+    file_.write(points.bytes);
 }
 
 void PointFile::commit()

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "trace/lidar.h"
+#include "lidar/lidar.h"
 
 #include <string>
 
@@ -10,6 +10,6 @@ namespace sward::apps {
 /// be unit. Takes .npy of NumPy (float32 or float64, N × 6, in C order), which stays mapped, and
 /// .csv with a header that names these columns. Throws Error{io} if it cannot be read, Error{input}
 /// with line or row if it is not such a file, Error{unsupported} for another layout of .npy.
-trace::Beams readBeams(const std::string& path);
+lidar::Beams readBeams(const std::string& path);
 
 } // namespace sward::apps

@@ -1,4 +1,4 @@
-#include "trace/blade_rows.h"
+#include "field/poses/blade_rows.h"
 
 #include "shaders/shared/bezier.h"
 #include "shaders/shared/ribbon.h"
@@ -8,7 +8,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace sward::trace {
+namespace sward::field {
 namespace {
 
 // Segments in which the chords of a parabola that falls by `fall` widths are within an error: n of
@@ -91,4 +91,4 @@ BladeRow rowAt(const shared::Species& look, const BladePose& pose, float width, 
     return row;
 }
 
-} // namespace sward::trace
+} // namespace sward::field

@@ -1,5 +1,5 @@
+#include "field/poses/blade_rows.h"
 #include "shaders/shared/bezier.h"
-#include "trace/blade_rows.h"
 
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
@@ -8,7 +8,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace sward::trace {
+namespace sward::field {
 namespace {
 
 constexpr float width = 0.006f; // [m]
@@ -104,4 +104,4 @@ TEST(BladeRows, FoldRaisesTheMiddle)
 }
 
 } // namespace
-} // namespace sward::trace
+} // namespace sward::field

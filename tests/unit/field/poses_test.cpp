@@ -1,9 +1,9 @@
 #include "core/error.h"
 #include "field/organs.h"
+#include "field/poses/blade_poses.h"
 #include "shaders/shared/organ.h"
 #include "shaders/shared/physics.h"
 #include "support/fields/fields.h"
-#include "trace/blade_poses.h"
 
 #include <fmt/format.h>
 #include <glm/geometric.hpp>
@@ -15,7 +15,7 @@
 #include <functional>
 #include <string>
 
-namespace sward::trace {
+namespace sward::field {
 namespace {
 
 // A field with stalks that bear three ribbons each.
@@ -142,4 +142,4 @@ TEST_F(Poses, OfAnotherFileAreRefusedByLine)
 }
 
 } // namespace
-} // namespace sward::trace
+} // namespace sward::field

@@ -1,14 +1,14 @@
 #pragma once
 
+#include "field/poses/blade_poses.h"
 #include "shaders/shared/species.h"
-#include "trace/blade_poses.h"
 
 #include <glm/vec3.hpp>
 
 #include <cstdint>
 #include <vector>
 
-namespace sward::trace {
+namespace sward::field {
 
 // A blade as a strip of flat quadrilaterals: rows of points across it, straight from row to row.
 //
@@ -40,4 +40,4 @@ struct BladeRow {
 /// The row at `along` [0, 1].
 BladeRow rowAt(const shared::Species& look, const BladePose& pose, float width, float along);
 
-} // namespace sward::trace
+} // namespace sward::field

@@ -1,8 +1,6 @@
 #include "core/error.h"
 #include "core/files/mapped_file.h"
-#include "field/organs.h"
-#include "shaders/shared/organ.h"
-#include "trace/blade_poses.h"
+#include "field/poses/blade_poses.h"
 
 #include <glm/geometric.hpp>
 
@@ -14,23 +12,23 @@
 #include <string>
 #include <string_view>
 
-namespace sward::trace {
+namespace sward::field {
 namespace {
 
-constexpr std::string_view header =
+constexpr std::string_view poseHeader =
     "id,x,y,z,v1x,v1y,v1z,v2x,v2y,v2z,ux,uy,uz,eta,lod_width,cull_result";
-constexpr std::size_t largestFile = std::size_t(64) << 30; // [bytes]
+constexpr std::size_t largestPoseFile = std::size_t(64) << 30; // [bytes]
 
 // A row as far as poses need it.
-struct Row {
+struct PoseRow {
     std::uint64_t id = 0;
     std::array<double, 9> places{}; // [m] world: root, v1, v2
 };
 
 // The lines of a file, without their ends.
-class Lines {
+class PoseLines {
 public:
-    explicit Lines(std::string_view text)
+    explicit PoseLines(std::string_view text)
         : rest_(text)
     {
     }
@@ -56,7 +54,7 @@ private:
 };
 
 template <typename Number>
-bool readNumber(std::string_view& line, Number& number)
+bool readPoseNumber(std::string_view& line, Number& number)
 {
     const char* const end = line.data() + line.size();
     const auto [stop, error] = std::from_chars(line.data(), end, number);
@@ -66,18 +64,18 @@ bool readNumber(std::string_view& line, Number& number)
     return true;
 }
 
-std::optional<Row> rowOf(std::string_view line)
+std::optional<PoseRow> poseRowOf(std::string_view line)
 {
-    Row row;
-    if (!readNumber(line, row.id))
+    PoseRow row;
+    if (!readPoseNumber(line, row.id))
         return std::nullopt;
     for (double& place : row.places)
-        if (!readNumber(line, place) || !std::isfinite(place))
+        if (!readPoseNumber(line, place) || !std::isfinite(place))
             return std::nullopt;
     return row;
 }
 
-glm::vec3 pointOf(const Row& row, std::size_t first, const glm::dvec3& origin)
+glm::vec3 posePoint(const PoseRow& row, std::size_t first, const glm::dvec3& origin)
 {
     return glm::vec3(glm::dvec3(row.places[first], row.places[first + 1], row.places[first + 2]) -
                      origin);
@@ -85,54 +83,34 @@ glm::vec3 pointOf(const Row& row, std::size_t first, const glm::dvec3& origin)
 
 } // namespace
 
-std::vector<BladePose> readPoses(const field::FieldView& field, const std::filesystem::path& path)
+std::vector<BladePose> readPoses(const FieldView& field, const std::filesystem::path& path)
 {
     const std::string name = path.string();
-    const std::vector<std::byte> bytes = readFile(path, largestFile);
-    Lines lines({reinterpret_cast<const char*>(bytes.data()), bytes.size()});
-    if (lines.next().value_or("") != header)
+    const std::vector<std::byte> bytes = readFile(path, largestPoseFile);
+    PoseLines lines({reinterpret_cast<const char*>(bytes.data()), bytes.size()});
+    if (lines.next().value_or("") != poseHeader)
         fail(ErrorKind::input,
              "{}: line 1: is not \"{}\", as 'sward-view render --dump-blades' writes", name,
-             header);
+             poseHeader);
 
-    const std::vector<shared::Organ> organs = field::organTable(field.species);
     std::vector<BladePose> poses(field.blades.size());
     for (const shared::Patch& cell : field.patches) {
-        // A ribbon stands behind its stalk and has the stalk's data, but its own row does not say
-        // how its stalk stands.
-        shared::PosedBlade stalk = {};
-        bool hasStalk = false;
         for (std::uint32_t i = 0; i < cell.bladeCount; ++i) {
             const std::size_t index = std::size_t(cell.firstBlade) + i;
             const std::optional<std::string_view> line = lines.next();
             if (!line)
                 fail(ErrorKind::input, "{}: has {} blades; the field has {}", name,
                      lines.number() - 1, field.blades.size());
-            const std::optional<Row> row = rowOf(*line);
+            const std::optional<PoseRow> row = poseRowOf(*line);
             if (!row)
                 fail(ErrorKind::input, "{}: line {}: is not a number and nine places of a blade",
                      name, lines.number());
             if (row->id != field.idOf(index))
                 fail(ErrorKind::input, "{}: line {}: is blade {}; the field has {} here", name,
                      lines.number(), row->id, field.idOf(index));
-            const shared::Blade blade = shared::unpackBlade(field.blades[index], cell);
-            const shared::Species& look = field.species[blade.species].look;
-            shared::PosedBlade posed = {};
-            posed.blade = blade;
-            posed.v0 = pointOf(*row, 0, field.origin);
-            posed.v1 = pointOf(*row, 3, field.origin);
-            posed.v2 = pointOf(*row, 6, field.origin);
-            posed.axis = shared::widthAxis(blade.up, blade.facing);
-            const std::uint32_t number = shared::ribbonNumber(look, blade);
-            if (number == 0) {
-                stalk = posed;
-                hasStalk = true;
-            } else if (hasStalk) {
-                shared::PosedBlade plant = stalk;
-                plant.blade = blade;
-                posed.axis = shared::ribbonOf(field::viewOf(organs), look, plant, number).axis;
-            }
-            poses[index] = {posed.v0, posed.v1, posed.v2, posed.axis};
+            poses[index].v0 = posePoint(*row, 0, field.origin);
+            poses[index].v1 = posePoint(*row, 3, field.origin);
+            poses[index].v2 = posePoint(*row, 6, field.origin);
         }
     }
     if (lines.next())
@@ -140,7 +118,8 @@ std::vector<BladePose> readPoses(const field::FieldView& field, const std::files
              field.blades.size(),
              field.seeds == nullptr ? ""
                                     : "; 'sward-view render --sown-memory 0' leaves sown ones out");
+    setAxes(field, poses);
     return poses;
 }
 
-} // namespace sward::trace
+} // namespace sward::field

@@ -1,6 +1,7 @@
-#include "apps/sward/options/lidar_options.h"
+#include "apps/lidar/lidar_options.h"
 
 #include "apps/common/parse_text.h"
+#include "apps/lidar/beam_file.h"
 #include "core/error.h"
 
 #include <CLI/CLI.hpp>
@@ -34,17 +35,20 @@ glm::vec2 parseAngles(const char* option, const std::string& text, double low, d
 
 } // namespace
 
-void LidarOptions::add(CLI::App& app)
+void LidarOptions::add(CLI::App& app, bool mustWrite, const char* standing)
 {
     app.add_option("FIELD", field, "Field file")->type_name("")->required();
-    app.add_option("-o,--output", output, "Points to write: .ply, .npy or .las")
-        ->type_name("OUT")
-        ->required();
+    CLI::Option* const out =
+        app.add_option("-o,--output", output, "Points to write: .ply, .npy or .las")
+            ->type_name("OUT")
+            ->required(mustWrite);
+    if (!mustWrite)
+        out->default_str("none, only counts and rates");
     app.add_option(
            "--blades", poses,
            "How the blades stand: a file of 'sward-view render --dump-blades' of this field")
         ->type_name("FILE.csv")
-        ->default_str("at rest, without wind");
+        ->default_str(standing);
     app.add_option("--threads", threads, "Number of threads; 0: one for each CPU")
         ->type_name("N")
         ->check(CLI::Range(0, 1024).description(""))
@@ -110,6 +114,14 @@ void LidarOptions::addPattern(CLI::App& app)
                airborne_.spacing = parseNumber("--spacing", text, 1e-4, 1e3);
            })
         ->default_str("0.1");
+    parsed("--sweep", "DEGREES",
+           "Angle to which airborne beams fan out on both sides of lines of flight along X, 0 to "
+           "60; 0: all are parallel",
+           [this](const std::string& text) {
+               airborne_.sweep =
+                   static_cast<float>(glm::radians(parseNumber("--sweep", text, 0.0, 60.0)));
+           })
+        ->default_str("0");
     parsed("--tilt", "DEGREES", "Angle of the airborne beams from straight down, -80 to 80",
            [this](const std::string& text) {
                airborne_.tilt =
@@ -201,13 +213,15 @@ void LidarOptions::check() const
              patterns);
     if (!place_.empty() && (place_.size() == 2) != above_.has_value())
         fail(ErrorKind::usage, "--scanner takes X,Z with --above, and X,Y,Z without it");
+    if (airborne_.sweep > 0.0f && airborne_.tilt != 0.0f)
+        fail(ErrorKind::usage, "--sweep and --tilt are both given; beams fan out or are parallel");
     if (place_.empty() && above_)
         fail(ErrorKind::usage, "--above needs --scanner");
 }
 
-trace::LidarSettings LidarOptions::settingsFor(const field::FieldView& view) const
+lidar::LidarSettings LidarOptions::settingsFor(const field::FieldView& view) const
 {
-    trace::LidarSettings settings = settings_;
+    lidar::LidarSettings settings = settings_;
     settings.leafReflectance.assign(view.species.size(), leaf_);
     for (const auto& [name, value] : leafOf_) {
         const auto found =
@@ -225,31 +239,27 @@ trace::LidarSettings LidarOptions::settingsFor(const field::FieldView& view) con
     return settings;
 }
 
-trace::Beams LidarOptions::patternOver(const field::FieldView& view,
-                                       const trace::RayScene& ground) const
+lidar::Beams LidarOptions::beamsOver(const field::FieldView& view, const GroundAt& groundAt) const
 {
+    if (!beams.empty())
+        return readBeams(beams);
     if (isAirborne_) {
-        trace::AirborneScanner scanner = airborne_;
+        lidar::AirborneScanner scanner = airborne_;
         scanner.up = lidarUp(view);
         scanner.over = view.bounds();
         scanner.origin = view.origin;
         return beamsOf(scanner);
     }
-    trace::SpinningScanner scanner = spinning_;
+    lidar::SpinningScanner scanner = spinning_;
     if (!above_) {
         scanner.up = lidarUp(view);
         scanner.place = {place_[0], place_[1], place_[2]};
         return beamsOf(scanner);
     }
-    // The highest ground there.
-    const float top = view.bounds().high.y + 1.0f;
-    const glm::vec3 from(static_cast<float>(place_[0] - view.origin.x), top,
-                         static_cast<float>(place_[1] - view.origin.z));
-    trace::RayHit hit;
-    if (!ground.meets(from, {0.0f, -1.0f, 0.0f}, hit))
+    const std::optional<double> ground = groundAt(place_[0], place_[1]);
+    if (!ground)
         fail(ErrorKind::usage, "--above: the field has no ground at {},{}", place_[0], place_[1]);
-    scanner.place = {place_[0], view.origin.y + double(top) - double(hit.distance) + *above_,
-                     place_[1]};
+    scanner.place = {place_[0], *ground + *above_, place_[1]};
     return beamsOf(scanner);
 }
 

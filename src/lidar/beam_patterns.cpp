@@ -1,4 +1,4 @@
-#include "trace/beam_patterns.h"
+#include "lidar/beam_patterns.h"
 
 #include "core/error.h"
 
@@ -7,7 +7,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace sward::trace {
+namespace sward::lidar {
 namespace {
 
 constexpr double maxGridBeams = 0x1.0p40;
@@ -72,9 +72,24 @@ Beams beamsOf(const AirborneScanner& scanner)
         fail(ErrorKind::usage,
              "a grid of {:.0f} by {:.0f} beams, {} m apart; the largest has {:.0f}", columns, rows,
              scanner.spacing, maxGridBeams);
+    // Lines of flight, each over a strip of rows.
+    const double middle = 0.5 * (low.z + high.z);
+    const double width = std::max(high.y - low.y, scanner.spacing);
+    const double reach = 2.0 * std::tan(double(scanner.sweep)) * (top - middle);
+    const double lines = scanner.sweep > 0.0f ? std::ceil(width / reach) : 1.0;
     const auto at = [=](std::uint64_t number) {
         const double column = std::fmod(double(number), columns);
         const double row = std::floor(double(number) / columns);
+        if (scanner.sweep > 0.0f) {
+            const double off = row * scanner.spacing;
+            const double line = std::min(std::floor(off * lines / width), lines - 1.0);
+            const double flown = (line + 0.5) * width / lines;
+            const glm::dvec3 from = scanner.origin +
+                                    (low.x + column * scanner.spacing) * level.first +
+                                    (low.y + flown) * level.second + top * up;
+            const glm::dvec3 beam = (off - flown) * level.second - (top - middle) * up;
+            return Beam{from, glm::vec3(glm::normalize(beam))};
+        }
         const glm::dvec3 place = scanner.origin +
                                  (low.x + column * scanner.spacing - back) * level.first +
                                  (low.y + row * scanner.spacing) * level.second + top * up;
@@ -83,4 +98,4 @@ Beams beamsOf(const AirborneScanner& scanner)
     return {static_cast<std::uint64_t>(columns) * static_cast<std::uint64_t>(rows), at};
 }
 
-} // namespace sward::trace
+} // namespace sward::lidar

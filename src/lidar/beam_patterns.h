@@ -1,14 +1,14 @@
 #pragma once
 
 #include "core/bounds.h"
-#include "trace/lidar.h"
+#include "lidar/lidar.h"
 
 #include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
 
 #include <cstdint>
 
-namespace sward::trace {
+namespace sward::lidar {
 
 /// A sensor that turns about its axis and measures in rings. Beam i belongs to ring i mod rings and
 /// to turn i / rings.
@@ -24,7 +24,7 @@ struct SpinningScanner {
 };
 Beams beamsOf(const SpinningScanner& scanner);
 
-/// Parallel beams in a square grid over a box, as those of a sensor high above.
+/// Beams in a square grid over a box, as those of a sensor high above: parallel, or in fans.
 struct AirborneScanner {
     Aabb over;                      ///< [m] relative to `origin`; the grid covers it
     glm::dvec3 origin{0.0};         ///< [m] world
@@ -33,8 +33,10 @@ struct AirborneScanner {
     double spacing = 0.1;           ///< [m] between beams, > 0
     float tilt = 0.0f;              ///< [rad] of the beams from straight down, towards the first
                                     ///< axis of the grid; below half a right angle
+    float sweep = 0.0f; ///< [rad] to which beams fan out on both sides of lines of flight along the
+                        ///< first axis, at `height`, side by side; 0: parallel. Then tilt is 0
 };
 /// Throws Error{usage} if these are more than 2⁴⁰ beams.
 Beams beamsOf(const AirborneScanner& scanner);
 
-} // namespace sward::trace
+} // namespace sward::lidar

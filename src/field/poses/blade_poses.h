@@ -5,9 +5,10 @@
 #include <glm/vec3.hpp>
 
 #include <filesystem>
+#include <span>
 #include <vector>
 
-namespace sward::trace {
+namespace sward::field {
 
 /// The curve of a blade, a stalk or a ribbon on one.
 struct BladePose {
@@ -18,12 +19,16 @@ struct BladePose {
 };
 
 /// The blades of a field at rest, one pose each in the field's order: under the field's gravity and
-/// recovery without wind, as `sward-view render` draws them with no wind.
-std::vector<BladePose> restingPoses(const field::FieldView& field);
+/// recovery without wind, as `sward-view render` draws them with no wind. `threads` ≥ 1.
+std::vector<BladePose> restingPoses(const FieldView& field, unsigned threads = 1);
 
 /// The poses in a file of `sward-view render --dump-blades` of the same field, culled blades too.
 /// Throws Error{io} if it cannot be read; Error{input} with the line if it is not such a file, or
 /// is that of another field.
-std::vector<BladePose> readPoses(const field::FieldView& field, const std::filesystem::path& path);
+std::vector<BladePose> readPoses(const FieldView& field, const std::filesystem::path& path);
 
-} // namespace sward::trace
+/// Sets the axis of each pose, whose control points are known: a blade's own, or how a ribbon
+/// stands on the stalk before it. One pose for each blade.
+void setAxes(const FieldView& field, std::span<BladePose> poses);
+
+} // namespace sward::field

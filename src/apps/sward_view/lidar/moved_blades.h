@@ -1,0 +1,27 @@
+#pragma once
+
+#include "field/field.h"
+#include "field/poses/blade_poses.h"
+
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace sward::view {
+
+/// What moves the blades of a field.
+struct MovedBy {
+    double time = 0.0;                 ///< [s]
+    std::optional<float> windStrength; ///< [1/s]; unset: the field's or the settings'
+    std::string settingsFile;          ///< empty: none
+    std::string device;                ///< see FrameOptions
+    bool validation = false;
+};
+
+/// The poses of the blades of a field's file at a time, as the renderer moves them on a device: a
+/// picture of that time by itself shows them so. Throws as Headless does, and Error{unsupported} if
+/// the device does not hold all blades.
+std::vector<field::BladePose> movedPoses(const std::string& file, const field::FieldView& field,
+                                         const MovedBy& by);
+
+} // namespace sward::view
