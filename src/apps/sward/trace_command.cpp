@@ -71,9 +71,10 @@ private:
         Stopwatch watch;
         const double processorBefore = processorSeconds();
         progress.begin("scene", 1);
-        const std::vector<field::BladePose> poses = options_.poses.empty()
-                                                        ? field::restingPoses(view)
-                                                        : field::readPoses(view, options_.poses);
+        const auto threads = static_cast<unsigned>(bake::threadCount(options_.threads));
+        const std::vector<field::BladePose> poses =
+            options_.poses.empty() ? field::restingPoses(view, threads)
+                                   : field::readPoses(view, options_.poses);
         const trace::Light light = options_.lightOver(view);
         const trace::TraceSettings& settings = options_.settings();
         const trace::Camera camera =
