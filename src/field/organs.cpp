@@ -17,9 +17,6 @@ namespace {
 
 using nlohmann::json;
 
-// Below the highest bit, which tells the sides of a triangle apart.
-constexpr unsigned numberBit = 25;
-
 // Shortest decimal that reads back as the same float: 0.45, not 0.44999998807907104.
 double shortestOf(float value)
 {
@@ -231,11 +228,6 @@ float areaFactor(const FieldView& field)
                     double(cell.widthLow + 31.5f * cell.widthStep);
     }
     return expected > 0.0 ? static_cast<float>(area / expected) : 1.0f;
-}
-
-BladeKey ribbonKey(BladeKey stalk, std::uint32_t number)
-{
-    return {stalk.triangle, stalk.candidate ^ (number << numberBit)};
 }
 
 } // namespace sward::field

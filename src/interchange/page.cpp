@@ -21,6 +21,8 @@ namespace sward::interchange {
 namespace {
 
 constexpr std::string_view titlePlace = "{{title}}";
+constexpr std::string_view pageName = "index.html";
+constexpr std::string_view sowerName = "sow.wasm";
 
 std::string inHtml(std::string_view text)
 {
@@ -79,7 +81,7 @@ std::uint64_t writePage(const field::FieldView& field, const std::filesystem::pa
     std::filesystem::create_directories(folder, error);
     if (error)
         fail(ErrorKind::io, "{}: the folder cannot be made", folder.string());
-    progress.begin("export", 3);
+    progress.begin("export", embedded::page().size() + 1);
     std::uint64_t bytes = 0;
     const auto put = [&](std::string_view name, std::string_view text) {
         writeTextFile(folder / name, text, settings.overwrite);
@@ -90,10 +92,10 @@ std::uint64_t writePage(const field::FieldView& field, const std::filesystem::pa
     // The page itself comes last: it is there when all is.
     const std::string title = std::filesystem::path(settings.source).stem().string();
     for (const EmbeddedFile& file : embedded::page())
-        if (file.name != "index.html")
+        if (file.name != pageName && (file.name != sowerName || field.seeds != nullptr))
             put(file.name, file.text());
     for (const EmbeddedFile& file : embedded::page())
-        if (file.name == "index.html")
+        if (file.name == pageName)
             put(file.name, titled(file.text(), title));
     return bytes;
 }

@@ -311,9 +311,9 @@ function parseSpecies(text, place) {
       fail("input", `${at}.organs: ${ribbonsOf(organs)} ribbons on a stalk, more than ${maxRibbons}`);
     return { ...look, name, organs };
   });
-  const kinds = species.reduce((sum, one) => sum + one.organs.length, 0);
-  if (kinds > maxOrganKinds)
-    fail("input", `${place}: ${kinds} organs of all species, more than ${maxOrganKinds}`);
+  const kinds2 = species.reduce((sum, one) => sum + one.organs.length, 0);
+  if (kinds2 > maxOrganKinds)
+    fail("input", `${place}: ${kinds2} organs of all species, more than ${maxOrganKinds}`);
   return species;
 }
 function requireUnit(v, place) {
@@ -1458,25 +1458,7 @@ var Container = class _Container {
   decompressed(chunk, stored) {
     if (chunk.elementCount === 0) return new Uint8Array(0);
     const place = `${this.source.name}: chunk ${chunk.name}`;
-    if (chunk.rawBytes > plainBytes + largestRatio * stored.length)
-      fail(
-        "input",
-        `${place}: ${stored.length} compressed bytes claim to hold ${chunk.rawBytes}, more than ${plainBytes} and ${largestRatio} for each`
-      );
-    const frame = frameOf(stored);
-    if (!frame || frame.content !== chunk.rawBytes)
-      fail("input", `${place}: the compressed data does not hold ${chunk.rawBytes} bytes`);
-    if (frame.window > largestWindow)
-      fail("input", `${place}: its window is ${frame.window} bytes, more than ${largestWindow}`);
-    const planes = new Uint8Array(chunk.rawBytes);
-    let result;
-    try {
-      result = decompress(stored, planes);
-    } catch {
-      fail("input", `${place}: the compressed data is damaged`);
-    }
-    if (result.length !== chunk.rawBytes)
-      fail("input", `${place}: decompresses to ${result.length} bytes instead of ${chunk.rawBytes}`);
+    const planes = unpackFrame(stored, chunk.rawBytes, place);
     const { elementBytes, elementCount } = chunk;
     if (elementBytes === 1) return planes;
     const raw = new Uint8Array(chunk.rawBytes);
@@ -1498,6 +1480,28 @@ var Container = class _Container {
     }
   }
 };
+function unpackFrame(stored, rawBytes, place) {
+  const frame = frameOf(stored);
+  const bytes = rawBytes ?? frame?.content ?? 0;
+  if (bytes > plainBytes + largestRatio * stored.length)
+    fail(
+      "input",
+      `${place}: ${stored.length} compressed bytes claim to hold ${bytes}, more than ${plainBytes} and ${largestRatio} for each`
+    );
+  if (!frame || frame.content !== bytes)
+    fail("input", `${place}: the compressed data does not hold ${bytes} bytes`);
+  if (frame.window > largestWindow)
+    fail("input", `${place}: its window is ${frame.window} bytes, more than ${largestWindow}`);
+  const plain = new Uint8Array(bytes);
+  let result;
+  try {
+    result = decompress(stored, plain);
+  } catch {
+    fail("input", `${place}: the compressed data is damaged`);
+  }
+  if (result.length !== bytes) fail("input", `${place}: decompresses to ${result.length} bytes instead of ${bytes}`);
+  return plain;
+}
 function frameOf(bytes) {
   const view = new DataView(bytes.buffer, bytes.byteOffset, bytes.length);
   if (bytes.length < 18 && bytes.length < 6) return void 0;
@@ -1617,6 +1621,127 @@ async function readGround(container) {
   return ground;
 }
 
+// src/format/seeds.ts
+var facings = ["outward", "shared", "free"];
+var longest = 1e6;
+var farthestOrigin = 1e12;
+var maxSpecies2 = 8;
+function parseSeed(text, place) {
+  if (!/^[0-9a-f]{1,16}$/i.test(text))
+    fail("input", `${place}: "${text}" is not a number of up to 16 hexadecimal digits`);
+  const digits = text.padStart(16, "0");
+  return [parseInt(digits.slice(0, 8), 16), parseInt(digits.slice(8), 16)];
+}
+function parseSeedMeadow(text, place) {
+  const reader = new SettingsReader(parseJson(text, place), place);
+  const flag = (key) => {
+    const value = reader.value(key) ?? false;
+    if (typeof value !== "boolean") fail("input", `${place}: expected true or false, found ${JSON.stringify(value)}`);
+    return value;
+  };
+  const meadow = {
+    seed: parseSeed(reader.text("seed", ""), place),
+    density: reader.number("density", 0, 0, 1e15),
+    scale: reader.number("scale", 1, 1e-3, 1e5),
+    clumpSpacing: reader.number("clump_spacing", 0, 0, 1e9),
+    stored: reader.number("stored", 0, 0, 1),
+    storedWidening: reader.number("stored_widening", 1, 1, 2),
+    unitBits: reader.number("unit_bits", 20, 11, 24),
+    levels: reader.number("levels", 0, 0, 10),
+    isMixed: flag("mixed"),
+    heightWaves: reader.number("height_waves", 0, 0, 0.5),
+    drifts: reader.number("drifts", 0, 0, 1),
+    sparseHeight: reader.number("sparse_height", 1, 0, 1),
+    wideVariation: reader.number("wide_variation", 0, 0, 1),
+    creaseReach: reader.number("crease_reach", 0, 0, longest),
+    creaseBlend: reader.number("crease_blend", 0, 0, 1),
+    vertical: reader.number("vertical", 0, 0, 1),
+    isRadial: flag("radial"),
+    up: reader.vector("up", [0, 1, 0], -farthestOrigin, farthestOrigin),
+    highest: reader.number("highest", 1, 1e-9, longest),
+    widest: reader.number("widest", 1, 1e-9, longest),
+    species: reader.array("species").map((entry, i) => {
+      const one = new SettingsReader(entry, `${place}: species ${i}`);
+      const species = {
+        share: one.number("share", 0, 0, 1),
+        height: one.vector("height", [0, 0], 0, longest),
+        width: one.vector("width", [0, 0], 0, longest),
+        stiffness: one.vector("stiffness", [0, 0], 0, 1),
+        clumping: one.number("clumping", 0, 0, 1),
+        facing: one.word("facing", facings, 2),
+        ribbons: one.number("ribbons", 0, 0, 63)
+      };
+      one.finish();
+      return species;
+    })
+  };
+  for (const key of ["unitBits", "levels"])
+    if (!Number.isInteger(meadow[key])) fail("input", `${place}: ${meadow[key]} is not a whole number`);
+  reader.finish();
+  if (meadow.species.length === 0 || meadow.species.length > maxSpecies2)
+    fail("input", `${place}: expected an array of 1 to ${maxSpecies2} species`);
+  return meadow;
+}
+var entryBytes2 = 48;
+var Seeds = class _Seeds {
+  constructor(container, offset, meadow, entries) {
+    this.container = container;
+    this.offset = offset;
+    this.meadow = meadow;
+    this.entries = entries;
+    this.count = entries.length / entryBytes2;
+    this.view = new DataView(entries.buffer, entries.byteOffset, entries.length);
+  }
+  container;
+  offset;
+  meadow;
+  entries;
+  /** Numbers of cells. */
+  count;
+  view;
+  /** The seeds of a field; undefined without any. */
+  static async open(container, speciesCount) {
+    const text = await container.text("SEEDS");
+    if (text === void 0) return void 0;
+    const place = container.source.name;
+    const meadow = parseSeedMeadow(text, `${place}: seeds`);
+    if (meadow.species.length !== speciesCount)
+      fail("input", `${place}: the seeds have ${meadow.species.length} species, of ${speciesCount} that there are`);
+    const data = container.need("SEEDDATA");
+    const entries = await container.bytes(container.need("SEEDCELL"));
+    const seeds = new _Seeds(container, data.offset, meadow, entries);
+    seeds.verify(data.storedBytes, place);
+    return seeds;
+  }
+  /** The zstd frame of a cell. */
+  async frame(index) {
+    const at = this.offset + this.number(index, 32);
+    return (await this.container.source.read(at, at + this.number(index, 40))).slice();
+  }
+  number(index, at) {
+    return Number(this.view.getBigUint64(index * entryBytes2 + at, true));
+  }
+  cell(index) {
+    return [0, 4, 8].map((at) => this.view.getInt32(index * entryBytes2 + at, true));
+  }
+  verify(bytes, place) {
+    let at = 0;
+    for (let i = 0; i < this.count; ++i) {
+      if (i > 0) {
+        const [a, b] = [this.cell(i - 1), this.cell(i)];
+        const axis = [0, 1, 2].find((k) => a[k] !== b[k]);
+        if (axis === void 0 || a[axis] > b[axis])
+          fail("input", `${place}: cell ${i} of the seeds is out of order`);
+      }
+      const [offset, size2] = [this.number(i, 32), this.number(i, 40)];
+      if (offset !== at || size2 > bytes - at)
+        fail("input", `${place}: cell ${i} of the seeds, ${size2} bytes at ${offset}, does not fit`);
+      at += size2;
+    }
+    if (at !== bytes) fail("input", `${place}: bytes follow the last cell of the seeds`);
+  }
+};
+
 // src/format/source.ts
 var BufferSource = class {
   constructor(name, bytes) {
@@ -1732,7 +1857,7 @@ async function openSource(address, options = {}) {
 var pageBlades = 1024;
 var pagesPerRequest = 256;
 var Field = class _Field {
-  constructor(container, bladeChunk, patches, species, defaults, ground, thinned, hasSeeds) {
+  constructor(container, bladeChunk, patches, species, defaults, ground, thinned, seeds) {
     this.container = container;
     this.bladeChunk = bladeChunk;
     this.patches = patches;
@@ -1740,7 +1865,7 @@ var Field = class _Field {
     this.defaults = defaults;
     this.ground = ground;
     this.thinned = thinned;
-    this.hasSeeds = hasSeeds;
+    this.seeds = seeds;
     this.name = container.source.name;
     this.origin = container.origin;
     this.version = container.version;
@@ -1756,7 +1881,7 @@ var Field = class _Field {
   defaults;
   ground;
   thinned;
-  hasSeeds;
+  seeds;
   /** Name or address of the file, for messages. */
   name;
   /** World position of the field's origin [m]: world = origin + position. */
@@ -1786,16 +1911,26 @@ var Field = class _Field {
     ]);
     const patches = new Patches(patchBytes);
     patches.verify(bladeChunk.elementCount, place);
+    const kinds2 = parseSpecies(species, `${place}: species`);
     return new _Field(
       container,
       bladeChunk,
       patches,
-      parseSpecies(species, `${place}: species`),
+      kinds2,
       parseDefaults(defaults, `${place}: defaults`),
       ground,
       parseCover(cover, `${place}: cover`),
-      container.find("SEEDS") !== void 0
+      await Seeds.open(container, kinds2.length)
     );
+  }
+  /** Whether the file says what bears. */
+  get hasSeeds() {
+    return this.seeds !== void 0;
+  }
+  /** Whether the rest of the meadow grows from seeds: some of its blades are stored, but not all. */
+  get isSown() {
+    const stored = this.seeds?.meadow.stored ?? 1;
+    return this.bladeCount > 0 && stored > 0 && stored < 1;
   }
   /** Bytes received so far. */
   get received() {
@@ -2204,6 +2339,59 @@ var bladeShadowVert = stage(81, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 1
 var bladeShadowFrag = stage(113);
 var nothingFrag = stage(114);
 
+// src/sow/pages.ts
+var sownPageBlades = 2048;
+var sownPagePatches = 64;
+var bladeWords2 = 4;
+var noPatch2 = 4294967295;
+function pagesOf(unit2) {
+  const all = unit2.patches.length / patchWords;
+  const pages = [];
+  let current = { first: 0, end: 0, blades: 0 };
+  let room = sownPagePatches - 1;
+  for (let p = 0; p < all; ++p) {
+    const count = unit2.patches[patchWords * p + patchWord.bladeCount];
+    if (room === 0 || current.blades + count > sownPageBlades) {
+      pages.push(current);
+      current = { first: p, end: p, blades: 0 };
+      room = sownPagePatches;
+    }
+    current.end = p + 1;
+    current.blades += count;
+    --room;
+  }
+  if (all > 0) pages.push(current);
+  const result = {
+    count: pages.length,
+    blades: new Uint32Array(pages.length * sownPageBlades * bladeWords2),
+    patches: new Uint32Array(pages.length * sownPagePatches * patchWords),
+    patchCounts: [],
+    bladeCount: unit2.blades.length / bladeWords2
+  };
+  pages.forEach(({ first, end }, i) => {
+    const shift = i === 0 ? 1 : 0;
+    const at = patchWords * (sownPagePatches * i + shift);
+    result.patches.set(unit2.patches.subarray(patchWords * first, patchWords * end), at);
+    const from = unit2.patches[patchWords * first + patchWord.firstBlade];
+    for (let p = 0; p < end - first; ++p) {
+      const word = at + patchWords * p + patchWord.firstBlade;
+      result.patches[word] -= from;
+    }
+    const last = patchWords * (end - 1);
+    const to = unit2.patches[last + patchWord.firstBlade] + unit2.patches[last + patchWord.bladeCount];
+    result.blades.set(unit2.blades.subarray(bladeWords2 * from, bladeWords2 * to), bladeWords2 * sownPageBlades * i);
+    result.patchCounts.push(end - first + shift);
+  });
+  if (pages.length > 0) {
+    result.patches.set(unit2.whole);
+    result.patches[patchWord.bladeCount] = 0;
+    result.patches[patchWord.firstChild] = noPatch2;
+    new Float32Array(result.patches.buffer)[patchWord.widthLow] = unit2.widest;
+    new Float32Array(result.patches.buffer)[patchWord.widthStep] = 0;
+  }
+  return result;
+}
+
 // src/render/vector.ts
 var add = (a, b) => [a[0] + b[0], a[1] + b[1], a[2] + b[2]];
 var sub = (a, b) => [a[0] - b[0], a[1] - b[1], a[2] - b[2]];
@@ -2325,6 +2513,16 @@ function fittingCamera(content, origin, up, sun, aspect) {
 
 // src/render/half.ts
 var buffer = new DataView(new ArrayBuffer(4));
+function toHalf(value) {
+  buffer.setFloat32(0, value);
+  const bits = buffer.getUint32(0);
+  const sign = bits >>> 16 & 32768;
+  const exponent = (bits >>> 23 & 255) - 112;
+  const mantissa = bits & 8388607;
+  if (exponent >= 31) return sign | 31744;
+  if (exponent <= 0) return exponent < -10 ? sign : sign | Math.round((mantissa | 8388608) / 2 ** (14 - exponent));
+  return sign | (exponent << 10) + Math.round(mantissa / 8192);
+}
 function fromHalf(bits) {
   const sign = bits & 32768 ? -1 : 1;
   const exponent = bits >>> 10 & 31;
@@ -2358,6 +2556,19 @@ function parseCoverFile(bytes, name) {
     leaves: Array.from({ length: heightSteps / 2 }, (_, i) => word(80 + 4 * i)),
     corners
   };
+}
+var largestLeafArea = 1e3;
+function sownCover(cover, bladesPerStored) {
+  const corners = cover.corners.map((corner) => {
+    const bits = corner & ~toneBits;
+    const area = fromHalf(bits & 65535);
+    if (!(area > 0)) return corner;
+    const leaves = Math.min(area * bladesPerStored, largestLeafArea);
+    const heights = fromHalf(bits >>> 16) / area * leaves;
+    const halves = (toHalf(leaves) | toHalf(heights) << 16) + 131072;
+    return (halves & ~toneBits | corner & toneBits) >>> 0;
+  });
+  return { ...cover, thinned: 1, corners };
 }
 var noCover = {
   areaFactor: 1,
@@ -2793,6 +3004,8 @@ function frameBlock(scene, input) {
   block.words("view.samples", [frameSettings.samples]);
   block.words("view.cullMask", [cullPatch | cullOrientation | cullFrustum | cullDistance | leaveThinned]);
   block.floats("view.areaFactor", [cover.areaFactor]);
+  block.floats("view.sparseFrom", [input.sparseFrom]);
+  block.floats("view.sparseLeast", [input.sparseLeast]);
   block.words("maxTessellation", [16]);
   const environment = "environment.gravity.";
   block.floats(`${environment}direction`, unit(gravity.direction, [0, -1, 0]));
@@ -3130,6 +3343,53 @@ var Picture = class {
   }
 };
 
+// src/render/tables.ts
+var patchTexels = 7;
+var patchesOfRow = 256;
+function patchTexelsOf(patches, first, end, room = end - first) {
+  const texels = new Uint32Array(4 * patchTexels * room);
+  for (let p = first; p < end; ++p)
+    texels.set(patches.words.subarray(p * patchWords, (p + 1) * patchWords), 4 * patchTexels * (p - first));
+  return texels;
+}
+function patchTable(gl, patches) {
+  const rows = Math.max(Math.ceil(patches.count / patchesOfRow), 1);
+  const width = patchTexels * patchesOfRow;
+  const texels = patchTexelsOf(patches, 0, patches.count, rows * patchesOfRow);
+  const texture = makeTexture(gl, gl.RGBA32UI, width, rows);
+  gl.texSubImage2D(gl.TEXTURE_2D, 0, 0, 0, width, rows, gl.RGBA_INTEGER, gl.UNSIGNED_INT, texels);
+  return texture;
+}
+function ribbonIndices(gl, segments, columns) {
+  const list = [];
+  for (let row = 0; row < segments; ++row)
+    for (let column = 0; column + 1 < columns; ++column) {
+      const first = row * columns + column;
+      const above = first + columns;
+      list.push(first, first + 1, above, above, first + 1, above + 1);
+    }
+  const buffer2 = gl.createBuffer();
+  gl.bindVertexArray(null);
+  gl.bindBuffer(gl.ELEMENT_ARRAY_BUFFER, buffer2);
+  gl.bufferData(gl.ELEMENT_ARRAY_BUFFER, new Uint16Array(list), gl.STATIC_DRAW);
+  return buffer2;
+}
+function groundArrayOf(gl, field) {
+  const array = gl.createVertexArray();
+  gl.bindVertexArray(array);
+  gl.bindBuffer(gl.ARRAY_BUFFER, gl.createBuffer());
+  gl.bufferData(gl.ARRAY_BUFFER, field.ground.vertices, gl.STATIC_DRAW);
+  for (let i = 0; i < 4; ++i) gl.enableVertexAttribArray(i);
+  gl.vertexAttribPointer(0, 3, gl.FLOAT, false, groundVertexBytes, 0);
+  gl.vertexAttribIPointer(1, 1, gl.UNSIGNED_INT, groundVertexBytes, 12);
+  gl.vertexAttribPointer(2, 2, gl.FLOAT, false, groundVertexBytes, 16);
+  gl.vertexAttribPointer(3, 4, gl.UNSIGNED_BYTE, true, groundVertexBytes, 24);
+  gl.bindBuffer(gl.ELEMENT_ARRAY_BUFFER, gl.createBuffer());
+  gl.bufferData(gl.ELEMENT_ARRAY_BUFFER, field.ground.indices, gl.STATIC_DRAW);
+  gl.bindVertexArray(null);
+  return array;
+}
+
 // src/render/tree.ts
 var groupBlades = 32;
 var classes = [
@@ -3140,16 +3400,23 @@ var classes = [
 ];
 var shadowClass = 2;
 var lodShare = (pixels, threshold) => Math.min(Math.max(pixels / threshold, 1 / 256), lodFullShare);
+function sparseShare(view, share, distance) {
+  if (view.sparseFrom <= 0 || distance <= view.sparseFrom) return 1;
+  return Math.max((view.sparseFrom / distance) ** 3, Math.min(view.sparseLeast / share, 1));
+}
 var PatchTree = class {
-  constructor(field) {
+  /** `sowing`: of a field that is sown; its patches stand for those of the field. */
+  constructor(field, sowing) {
     this.field = field;
-    const patches = field.patches;
+    this.sowing = sowing;
+    const patches = this.patches = sowing?.patches ?? field.patches;
+    const stored = field.patches.count;
     this.ribbons = Math.max(0, ...field.species.map((one) => ribbonsOf(one.organs)));
-    this.widest = new Float32Array(patches.count);
-    this.rankBelow = new Float32Array(patches.count).fill(1);
-    this.queue = new Uint32Array(patches.count);
+    this.widest = new Float32Array(stored);
+    this.rankBelow = new Float32Array(stored).fill(1);
+    this.queue = new Uint32Array(stored);
     const f = patches.floats;
-    for (let p = patches.count - 1; p >= 0; --p) {
+    for (let p = stored - 1; p >= 0; --p) {
       const at = p * patchWords;
       const own = patches.bladeCount(p) > 0 ? f[at + patchWord.widthLow] + 63 * f[at + patchWord.widthStep] : 0;
       this.widest[p] = Math.max(this.widest[p], own);
@@ -3161,16 +3428,18 @@ var PatchTree = class {
     }
   }
   field;
+  sowing;
   /** Largest full width of a blade in each subtree [m]. */
   widest;
   /** The lowest rank below each node; 1 if there is none. */
   rankBelow;
   queue;
+  patches;
   /** Ribbons of a plant at most. */
   ribbons;
   /** Distance [m] of the eye from a patch's box. */
   distance(view, at) {
-    const f = this.field.patches.floats;
+    const f = this.patches.floats;
     let square = 0;
     for (let i = 0; i < 3; ++i) {
       const off = Math.max(
@@ -3184,12 +3453,18 @@ var PatchTree = class {
   }
   shareAt(view, distance) {
     if (view.lodThreshold <= 0) return lodFullShare;
-    return lodShare(view.lodWidth * view.pixelsPerUnit / Math.max(distance, 1e-6), view.lodThreshold);
+    const share = lodShare(view.lodWidth * view.pixelsPerUnit / Math.max(distance, 1e-6), view.lodThreshold);
+    return share * sparseShare(view, share, distance);
+  }
+  leavesPerDrawn(view, distance) {
+    if (view.sparseFrom <= 0 || distance <= view.sparseFrom || view.lodThreshold <= 0) return 1;
+    const share = lodShare(view.lodWidth * view.pixelsPerUnit / Math.max(distance, 1e-6), view.lodThreshold);
+    return 1 / Math.sqrt(sparseShare(view, share, distance));
   }
   /** Whether no blade of a subtree is in the view. */
-  isOutside(view, p, nearest) {
+  isOutside(view, p, nearest, widest) {
     if (nearest > view.drawDistance) return true;
-    const f = this.field.patches.floats;
+    const f = this.patches.floats;
     const at = p * patchWords;
     let square = 0;
     let thinnest = Infinity;
@@ -3201,7 +3476,7 @@ var PatchTree = class {
       thinnest = Math.min(thinnest, high - low);
     }
     const farthest2 = Math.sqrt(square);
-    const margin = 0.5 * outlineMost * this.widest[p] / (0.95 * this.shareAt(view, farthest2)) + view.minWidth * farthest2 + (maxHeightCompensation - 1) * 0.5 * thinnest;
+    const margin = 0.5 * outlineMost * widest / (0.95 * this.shareAt(view, farthest2) * this.leavesPerDrawn(view, farthest2)) + view.minWidth * farthest2 + (maxHeightCompensation - 1) * 0.5 * thinnest;
     for (const plane of view.planes) {
       let sum = plane[3];
       for (let i = 0; i < 3; ++i)
@@ -3212,39 +3487,52 @@ var PatchTree = class {
   }
   /** The groups of blades that a view may show. `most`: blades at most. */
   groupsOf(view, most, oneClass = -1) {
-    const patches = this.field.patches;
+    const { patches, sowing } = this;
     const f = patches.floats;
     const seen = [];
     const wanted = [];
     let blades = 0;
+    const add2 = (p, share, nearest, isStored) => {
+      const at = p * patchWords;
+      const own = patches.bladeCount(p);
+      const low = f[at + patchWord.rankLow];
+      const high = f[at + patchWord.rankHigh];
+      if (own === 0 || share <= low) return;
+      const thick = share >= high ? own : Math.ceil((share - low) / (high - low) * own) + 1;
+      const count = Math.min(thick + this.ribbons, own);
+      const begin = patches.firstBlade(p);
+      if (isStored && !this.field.has(begin, count)) {
+        for (const page of pagesOf2(begin, count))
+          if (this.field.isMissing(page)) wanted.push({ page, distance: nearest * (1 + low) });
+        return;
+      }
+      if (blades + count > most) return;
+      blades += count;
+      seen.push({ patch: p, count, distance: nearest });
+    };
     let end = 0;
-    if (patches.count > 0) this.queue[end++] = 0;
+    if (this.field.patches.count > 0) this.queue[end++] = 0;
     for (let next = 0; next < end; ++next) {
       const p = this.queue[next];
-      const at = p * patchWords;
-      const nearest = this.distance(view, at);
-      if (this.isOutside(view, p, nearest)) continue;
+      const nearest = this.distance(view, p * patchWords);
+      if (this.isOutside(view, p, nearest, this.widest[p])) continue;
       const share = this.shareAt(view, nearest);
       if (share > this.rankBelow[p]) {
         const first = patches.firstChild(p);
         for (let i = 0; i < patches.childCount(p); ++i) this.queue[end++] = first + i;
       }
-      const own = patches.bladeCount(p);
-      const low = f[at + patchWord.rankLow];
-      const high = f[at + patchWord.rankHigh];
-      if (own === 0 || share <= low) continue;
-      const thick = share >= high ? own : Math.ceil((share - low) / (high - low) * own) + 1;
-      const count = Math.min(thick + this.ribbons, own);
-      const begin = patches.firstBlade(p);
-      if (!this.field.has(begin, count)) {
-        for (const page of pagesOf(begin, count))
-          if (this.field.isMissing(page)) wanted.push({ page, distance: nearest * (1 + low) });
-        continue;
-      }
-      if (blades + count > most) continue;
-      blades += count;
-      seen.push({ patch: p, count, distance: nearest });
+      add2(p, share, nearest, true);
     }
+    const widestOf = (p) => f[p * patchWords + patchWord.widthLow] + 63 * f[p * patchWords + patchWord.widthStep];
+    sowing?.walk(
+      (whole) => !this.isOutside(view, whole, this.distance(view, whole * patchWords), widestOf(whole)),
+      (p) => {
+        const nearest = this.distance(view, p * patchWords);
+        const share = this.shareAt(view, nearest);
+        if (share <= f[p * patchWords + patchWord.rankLow]) return;
+        if (!this.isOutside(view, p, nearest, widestOf(p))) add2(p, share, nearest, false);
+      }
+    );
     seen.sort((a, b) => a.distance - b.distance);
     const lists = classes.map(() => []);
     for (const { patch, count, distance } of seen) {
@@ -3263,14 +3551,14 @@ var PatchTree = class {
   }
 };
 var pageBlades2 = 1024;
-function* pagesOf(first, count) {
+function* pagesOf2(first, count) {
   for (let p = Math.floor(first / pageBlades2); p <= Math.floor((first + count - 1) / pageBlades2); ++p) yield p;
 }
-function meanBladeWidth(patches) {
+function meanBladeWidth(patches, patchCount = patches.count) {
   const f = patches.floats;
   let width = 0;
   let count = 0;
-  for (let p = 0; p < patches.count; ++p) {
+  for (let p = 0; p < patchCount; ++p) {
     const own = patches.bladeCount(p);
     width += own * (f[p * patchWords + patchWord.widthLow] + 31.5 * f[p * patchWords + patchWord.widthStep]);
     count += own;
@@ -3281,14 +3569,13 @@ function meanBladeWidth(patches) {
 // src/render/renderer.ts
 var captured = ["recordV0", "recordV1", "recordV2", "recordSurface", "recordFrame", "recordBend"];
 var recordBytes = 16 * captured.length;
-var patchTexels = 7;
-var patchesOfRow = 256;
 var usualMax = 4e5;
 var Renderer = class {
   /** `cover`: what `sward export` wrote into field.cover; without it blades do not shade one another. */
-  constructor(canvas, field, cover = noCover) {
+  constructor(canvas, field, cover = noCover, sowing) {
     this.canvas = canvas;
     this.field = field;
+    this.sowing = sowing;
     const gl = canvas.getContext("webgl2", {
       antialias: false,
       alpha: false,
@@ -3297,12 +3584,13 @@ var Renderer = class {
     });
     if (!gl) fail("unsupported", "this browser has no WebGL 2, or its graphics driver is blocked");
     this.gl = gl;
-    this.tree = new PatchTree(field);
-    this.scene = sceneOf(field, cover);
+    this.tree = new PatchTree(field, sowing);
+    this.scene = sceneOf(field, sowing ? sownCover(cover, sowing.bladesPerStored) : cover, sowing?.patches);
     this.restore();
   }
   canvas;
   field;
+  sowing;
   scene;
   gl;
   tree;
@@ -3310,7 +3598,8 @@ var Renderer = class {
   lodThreshold = frameSettings.lodThreshold;
   /** Makes all that lies on the device, first or after the device was lost. */
   restore() {
-    this.parts = new Parts(this.gl, this.field, this.scene);
+    this.parts = new Parts(this.gl, this.field, this.scene, this.sowing);
+    this.sowing?.forget();
   }
   /** The sun as the viewer has it by default. */
   get usualLight() {
@@ -3319,7 +3608,7 @@ var Renderer = class {
   }
   /** Draws a picture as large as the canvas. */
   draw(input) {
-    const { canvas, field, scene } = this;
+    const { canvas, field, scene, sowing } = this;
     const view = viewOf(input.camera, field.origin, canvas.width, canvas.height, scene.content);
     const frame = {
       view,
@@ -3328,7 +3617,9 @@ var Renderer = class {
       wind: input.wind ?? 1,
       time: input.time,
       shadowDistance,
-      lodThreshold: this.lodThreshold
+      lodThreshold: this.lodThreshold,
+      sparseFrom: 0,
+      sparseLeast: field.seeds?.meadow.stored ?? 0
     };
     const treeView = {
       eye: view.eye,
@@ -3337,11 +3628,22 @@ var Renderer = class {
       pixelsPerUnit: view.pixelsPerUnit,
       lodThreshold: this.lodThreshold,
       lodWidth: scene.bladeWidth,
-      minWidth: minWidthOf(view)
+      minWidth: minWidthOf(view),
+      sparseFrom: 0,
+      sparseLeast: frame.sparseLeast
     };
+    const choose = () => {
+      frame.sparseFrom = treeView.sparseFrom = sowing ? this.sparseFrom(view) : 0;
+      treeView.lodThreshold = frame.lodThreshold = this.lodThreshold * (sowing?.thinning ?? 1);
+      return this.tree.groupsOf(treeView, Infinity);
+    };
+    if (sowing) {
+      choose();
+      sowing.update({ ...treeView, lodThreshold: this.lodThreshold });
+    }
     this.parts.uploadPages();
     const most = input.maxBlades ?? usualMax;
-    let groups = this.tree.groupsOf(treeView, Infinity);
+    let groups = choose();
     const usual = frameSettings.lodThreshold;
     for (let i = 0; i < 12; ++i) {
       const ratio = Math.sqrt(groups.blades / most);
@@ -3349,8 +3651,7 @@ var Renderer = class {
       else if (ratio < 0.7 && this.lodThreshold > usual)
         this.lodThreshold = Math.max(this.lodThreshold * Math.max(1.2 * ratio, 0.5), usual);
       else break;
-      treeView.lodThreshold = frame.lodThreshold = this.lodThreshold;
-      groups = this.tree.groupsOf(treeView, Infinity);
+      groups = choose();
     }
     if (groups.blades > most) this.lodThreshold *= 1.02;
     else if (groups.blades < 0.8 * most) this.lodThreshold = Math.max(this.lodThreshold / 1.02, usual);
@@ -3358,6 +3659,13 @@ var Renderer = class {
     const casters = frame.light.sunColor[0] > 0 ? this.tree.groupsOf({ ...treeView, planes: shadowPlanes(rows), minWidth: 0 }, most, shadowClass) : void 0;
     this.parts.draw(frame, groups, casters, shadowPlanes(rows), input.elapsed, canvas.width, canvas.height, input.isFine ?? false);
     return { blades: groups.blades, missing: groups.missing };
+  }
+  /** Distance beyond which a sown field is drawn sparsely: frameOf() of src/render/frame/frame.cpp. */
+  sparseFrom(view) {
+    const { low, high } = this.scene.content;
+    const gap = [0, 1, 2].map((i) => Math.max(low[i] - view.eye[i], view.eye[i] - high[i], 0));
+    const full = this.scene.bladeWidth * view.pixelsPerUnit / this.lodThreshold;
+    return this.sowing.sparseDistance(low, high, full, size(gap));
   }
   /** Records of the blades that the last draw() posed; 24 words each. For tests. */
   readRecords() {
@@ -3385,7 +3693,7 @@ function boxOf(field) {
     }
   return { content, ground };
 }
-function sceneOf(field, cover) {
+function sceneOf(field, cover, patches = field.patches) {
   const { content, ground } = boxOf(field);
   const gravity = field.defaults.gravity;
   const up = unit(scaled(gravity.direction, -1));
@@ -3395,15 +3703,16 @@ function sceneOf(field, cover) {
     content,
     groundBox: ground,
     floor: gravity.blend === 0 ? floorOf(field.ground, up) : noFloor,
-    bladeWidth: meanBladeWidth(field.patches),
+    bladeWidth: meanBladeWidth(patches, field.patches.count),
     exposure: chosenExposure(field.ground, cover, field.bladeCount > 0)
   };
 }
 var Parts = class {
-  constructor(gl, field, scene) {
+  constructor(gl, field, scene, sowing) {
     this.gl = gl;
     this.field = field;
     this.scene = scene;
+    this.sowing = sowing;
     const programs = {
       move: new Program(gl, "move", moveVert, moveFrag),
       pose: new Program(gl, "pose", poseVert, nothingFrag, captured),
@@ -3423,10 +3732,11 @@ var Parts = class {
     this.sun = programs.sun.finish();
     this.bladeShadow = programs.bladeShadow.finish();
     this.uploaded = new Uint8Array(field.pageCount);
-    this.stateRows = Math.max(Math.ceil(field.bladeCount / tableWidth), 1);
+    this.sownRow = (sowing?.firstBlade ?? 0) / tableWidth;
+    this.stateRows = sowing ? this.sownRow + sowing.pageCount : Math.max(Math.ceil(field.bladeCount / tableWidth), 1);
     const most = gl.getParameter(gl.MAX_TEXTURE_SIZE);
     if (this.stateRows > most)
-      fail("unsupported", `${field.name}: ${field.bladeCount} blades, more than ${most * tableWidth} on this device`);
+      fail("unsupported", `${field.name}: ${this.stateRows * tableWidth} blades, more than ${most * tableWidth} on this device`);
     this.blades = makeTexture(gl, gl.RGBA32UI, tableWidth, this.stateRows);
     this.states = [0, 1].map(() => makeTexture(gl, gl.R32UI, tableWidth, this.stateRows));
     this.stateTargets = this.states.map((states) => {
@@ -3434,7 +3744,7 @@ var Parts = class {
       gl.clearBufferuiv(gl.COLOR, 0, [unsettledTurn, 0, 0, 0]);
       return target;
     });
-    this.patches = patchTable(gl, field);
+    this.patches = patchTable(gl, sowing?.patches ?? field.patches);
     this.cover = wordTable(gl, scene.cover.corners);
     this.sunMap = makeTexture(gl, gl.DEPTH_COMPONENT24, sunMapSize, sunMapSize);
     this.sunTarget = makeTarget(gl, null, this.sunMap);
@@ -3472,6 +3782,7 @@ var Parts = class {
   gl;
   field;
   scene;
+  sowing;
   move;
   pose;
   blade;
@@ -3502,6 +3813,8 @@ var Parts = class {
   groundParts;
   nothing;
   uploaded;
+  /** First row of blades, and of patches, that are sown. */
+  sownRow;
   picture;
   recordRoom = 0;
   recordCount = 0;
@@ -3510,6 +3823,7 @@ var Parts = class {
   /** Copies the pages that have come to the device. */
   uploadPages() {
     const { gl, field } = this;
+    if (this.sowing) this.uploadSown(this.sowing);
     if (field.presentPages === 0) return;
     const words = pageBlades * bladeWords;
     gl.activeTexture(gl.TEXTURE0);
@@ -3531,6 +3845,27 @@ var Parts = class {
       gl.texSubImage2D(gl.TEXTURE_2D, 0, x, page >> 1, width, rows, gl.RGBA_INTEGER, gl.UNSIGNED_INT, data);
       this.uploaded.fill(1, page, end);
     }
+  }
+  /** The same for what is sown: a row of blades, unsettled, and a quarter of a row of patches each. */
+  uploadSown(sowing) {
+    const { gl } = this;
+    const unsettled = new Uint32Array(tableWidth).fill(unsettledTurn);
+    gl.activeTexture(gl.TEXTURE0);
+    for (const { page, blades } of sowing.changed) {
+      const row = this.sownRow + page;
+      gl.bindTexture(gl.TEXTURE_2D, this.blades);
+      gl.texSubImage2D(gl.TEXTURE_2D, 0, 0, row, tableWidth, 1, gl.RGBA_INTEGER, gl.UNSIGNED_INT, blades);
+      for (const states of this.states) {
+        gl.bindTexture(gl.TEXTURE_2D, states);
+        gl.texSubImage2D(gl.TEXTURE_2D, 0, 0, row, tableWidth, 1, gl.RED_INTEGER, gl.UNSIGNED_INT, unsettled);
+      }
+      const first = sowing.firstPatch + sownPagePatches * page;
+      const texels = patchTexelsOf(sowing.patches, first, first + sownPagePatches);
+      gl.bindTexture(gl.TEXTURE_2D, this.patches);
+      const [x, y] = [patchTexels * (first % patchesOfRow), Math.floor(first / patchesOfRow)];
+      gl.texSubImage2D(gl.TEXTURE_2D, 0, x, y, patchTexels * sownPagePatches, 1, gl.RGBA_INTEGER, gl.UNSIGNED_INT, texels);
+    }
+    sowing.changed = [];
   }
   draw(input, groups, casters, sunPlanes, elapsed, width, height, isFine) {
     const { gl } = this;
@@ -3720,44 +4055,575 @@ var Parts = class {
     gl.disable(gl.CULL_FACE);
   }
 };
-function patchTable(gl, field) {
-  const rows = Math.max(Math.ceil(field.patches.count / patchesOfRow), 1);
-  const width = patchTexels * patchesOfRow;
-  const texels = new Uint32Array(4 * width * rows);
-  for (let p = 0; p < field.patches.count; ++p)
-    texels.set(field.patches.words.subarray(p * patchWords, (p + 1) * patchWords), 4 * patchTexels * p);
-  const texture = makeTexture(gl, gl.RGBA32UI, width, rows);
-  gl.texSubImage2D(gl.TEXTURE_2D, 0, 0, 0, width, rows, gl.RGBA_INTEGER, gl.UNSIGNED_INT, texels);
-  return texture;
+
+// src/sow/module.ts
+var kinds = { 1: "usage", 2: "io", 3: "input", 4: "runtime", 5: "unsupported" };
+var unitWords = 8;
+var eyeNumbers = 9;
+function numbersOf(meadow, species, origin) {
+  const flag = (value) => value ? 1 : 0;
+  const m = meadow;
+  const list = [
+    ...m.seed,
+    m.density,
+    m.scale,
+    m.clumpSpacing,
+    m.stored,
+    m.unitBits,
+    m.levels,
+    flag(m.isMixed),
+    m.heightWaves,
+    m.drifts,
+    m.sparseHeight,
+    m.wideVariation,
+    m.creaseReach,
+    m.creaseBlend,
+    m.vertical,
+    flag(m.isRadial),
+    ...m.up,
+    m.highest,
+    m.widest,
+    ...origin,
+    m.species.length
+  ];
+  m.species.forEach((one, i) => {
+    list.push(one.share, ...one.height, ...one.width, ...one.stiffness, one.clumping, one.facing, one.ribbons);
+    const organs = species[i].organs;
+    list.push(organs.length);
+    for (const organ of organs) list.push(organ.count, ...organ.length, organ.width, organ.variation);
+  });
+  return Float64Array.from(list);
 }
-function ribbonIndices(gl, segments, columns) {
-  const list = [];
-  for (let row = 0; row < segments; ++row)
-    for (let column = 0; column + 1 < columns; ++column) {
-      const first = row * columns + column;
-      const above = first + columns;
-      list.push(first, first + 1, above, above, first + 1, above + 1);
+var SowModule = class {
+  exports;
+  unit;
+  eyes = 0;
+  eyeCount = 0;
+  /** `place` is for messages. */
+  constructor(module, place) {
+    const refuse = (kind, message, bytes) => {
+      const text = new TextDecoder().decode(new Uint8Array(this.exports.memory.buffer, message, bytes));
+      throw new SwardError(kinds[kind] ?? "runtime", `${place}: ${text}`);
+    };
+    this.exports = new WebAssembly.Instance(module, { sward: { refuse } }).exports;
+    this.exports._initialize();
+    this.unit = this.exports.take(4 * unitWords);
+  }
+  begin(numbers, entries) {
+    const at = this.put(numbers);
+    const table = this.put(entries);
+    this.exports.begin(at, table, entries.length / 48);
+    this.exports.give(table);
+    this.exports.give(at);
+  }
+  /** Opens a cell: `plain` is its frame without zstd. */
+  openCell(index, plain) {
+    const at = this.put(plain);
+    this.exports.openCell(index, at, plain.length);
+    this.exports.give(at);
+  }
+  closeCell(index) {
+    this.exports.closeCell(index);
+  }
+  /** Grows a unit of an open cell. */
+  grow(unit2) {
+    this.writeUnit(unit2);
+    const at = this.exports.grow(this.unit);
+    const { buffer: buffer2 } = this.exports.memory;
+    const [patches, patchCount, blades, bladeCount, keys, whole] = new Uint32Array(buffer2, at, 6);
+    const words = (from, count) => new Uint32Array(buffer2, from, count).slice();
+    return {
+      patches: words(patches, patchWords * patchCount),
+      blades: words(blades, 4 * bladeCount),
+      keys: words(keys, 2 * bladeCount),
+      whole: words(whole, patchWords),
+      widest: new Float32Array(buffer2, at + 24, 1)[0]
+    };
+  }
+  /** The eyes of find() and score(). */
+  look(eyes) {
+    const numbers = eyes.flatMap((one) => [
+      ...one.eye,
+      one.drawDistance,
+      one.pixelsPerUnit,
+      one.lodThreshold,
+      one.lodWidth,
+      one.sparseFrom,
+      one.sparseLeast
+    ]);
+    if (this.eyes !== 0) this.exports.give(this.eyes);
+    this.eyes = this.put(Float64Array.from(numbers));
+    this.eyeCount = numbers.length / eyeNumbers;
+  }
+  /** All that the eyes want, in falling order of scores. */
+  find() {
+    const count = this.exports.find(this.eyes, this.eyeCount);
+    const at = this.exports.found();
+    const words = new Uint32Array(this.exports.memory.buffer, at, unitWords * count);
+    const floats = new Float32Array(this.exports.memory.buffer, at, unitWords * count);
+    return Array.from({ length: count }, (_, i) => {
+      const w = words.subarray(unitWords * i, unitWords * (i + 1));
+      return { score: floats[unitWords * i], isCell: w[1] !== 0, cell: w[2], level: w[3], half: w[4], place: [w[5], w[6], w[7]] };
+    });
+  }
+  /** Score of any unit. */
+  score(unit2) {
+    this.writeUnit(unit2);
+    return this.exports.score(this.unit, this.eyes, this.eyeCount);
+  }
+  /** render::sparseDistance(). */
+  sparseDistance(room, bladesPerArea, blades, low, high, full, nearest) {
+    return this.exports.sparseDistance(room, bladesPerArea, blades, ...low, ...high, full, nearest);
+  }
+  writeUnit(unit2) {
+    new Uint32Array(this.exports.memory.buffer, this.unit, unitWords).set([0, 0, unit2.cell, unit2.level, unit2.half, ...unit2.place]);
+  }
+  /** A copy in the module's memory, at a multiple of 16. */
+  put(array) {
+    const at = this.exports.take(Math.max(array.byteLength, 1));
+    new Uint8Array(this.exports.memory.buffer).set(new Uint8Array(array.buffer, array.byteOffset, array.byteLength), at);
+    return at;
+  }
+};
+async function compileSower(bytes, place) {
+  try {
+    return await WebAssembly.compile(bytes);
+  } catch {
+    fail("unsupported", `${place}: the sower does not run in this browser`);
+  }
+}
+
+// src/sow/sower.ts
+var replacing = 1.19;
+var unitsAtOnce = 16;
+var cellsAtOnce = 4;
+var maxOpenCells = 96;
+var unitName = (unit2) => [unit2.cell, unit2.level, unit2.half, ...unit2.place].join();
+var Sower = class {
+  /** `later` runs a step once other messages have been heard. */
+  constructor(tell, later) {
+    this.tell = tell;
+    this.later = later;
+  }
+  tell;
+  later;
+  module;
+  room = 0;
+  used = 0;
+  blades = 0;
+  place = "";
+  present = /* @__PURE__ */ new Map();
+  wanted = [];
+  next = 0;
+  flying = 0;
+  /** Open cells, the last used one at the end. */
+  open = /* @__PURE__ */ new Set();
+  asked = /* @__PURE__ */ new Set();
+  isFull = false;
+  isBusy = false;
+  hasFailed = false;
+  lookNumber = 0;
+  hear(message) {
+    try {
+      this.take(message);
+      this.wake();
+    } catch (error) {
+      this.failWith(error);
     }
-  const buffer2 = gl.createBuffer();
-  gl.bindVertexArray(null);
-  gl.bindBuffer(gl.ELEMENT_ARRAY_BUFFER, buffer2);
-  gl.bufferData(gl.ELEMENT_ARRAY_BUFFER, new Uint16Array(list), gl.STATIC_DRAW);
-  return buffer2;
+  }
+  take(message) {
+    switch (message.kind) {
+      case "begin":
+        this.place = message.place;
+        this.room = message.pages;
+        this.module = new SowModule(message.module, message.place);
+        this.module.begin(message.numbers, message.entries);
+        break;
+      case "cell":
+        this.asked.delete(message.cell);
+        this.module.openCell(message.cell, unpackFrame(message.frame, void 0, `${this.place}: seeds of cell ${message.cell}`));
+        this.open.add(message.cell);
+        if (this.open.size > maxOpenCells) {
+          const oldest = this.open.values().next().value;
+          this.open.delete(oldest);
+          this.module.closeCell(oldest);
+        }
+        this.choose();
+        break;
+      case "look":
+        this.lookNumber = message.number;
+        this.module.look(message.eyes);
+        for (const one of this.present.values()) one.score = this.module.score(one.unit);
+        this.choose();
+        break;
+      case "taken":
+        --this.flying;
+        break;
+      case "forget":
+        this.present.clear();
+        this.used = this.blades = 0;
+        this.choose();
+    }
+  }
+  choose() {
+    this.wanted = this.module.find();
+    this.next = 0;
+    this.isFull = false;
+  }
+  wake() {
+    if (this.isBusy || this.hasFailed || !this.module) return;
+    this.isBusy = true;
+    this.later(() => {
+      this.isBusy = false;
+      try {
+        if (this.step()) this.wake();
+      } catch (error) {
+        this.failWith(error);
+      }
+    });
+  }
+  failWith(error) {
+    this.hasFailed = true;
+    if (!(error instanceof SwardError)) throw error;
+    this.tell({ kind: "failed", error: error.kind, message: error.message }, []);
+  }
+  /** Grows one unit, or asks for cells. Whether there is more to do now. */
+  step() {
+    let ready = false;
+    for (; this.next < this.wanted.length && !this.isFull; ++this.next) {
+      const one = this.wanted[this.next];
+      if (!one.isCell && this.present.has(unitName(one))) continue;
+      if (one.isCell || !this.open.has(one.cell)) {
+        if (!this.ask(one.cell)) break;
+        continue;
+      }
+      if (this.flying >= unitsAtOnce) break;
+      this.bring(one);
+      ready = true;
+      break;
+    }
+    this.report();
+    return ready;
+  }
+  /** Asks for a cell. Whether more may be asked for. */
+  ask(cell) {
+    if (this.asked.has(cell)) return true;
+    if (this.asked.size >= cellsAtOnce) return false;
+    this.asked.add(cell);
+    this.tell({ kind: "wants", cell }, []);
+    return true;
+  }
+  bring(one) {
+    const unit2 = { cell: one.cell, level: one.level, half: one.half, place: one.place };
+    this.open.delete(one.cell);
+    this.open.add(one.cell);
+    const pages = pagesOf(this.module.grow(unit2));
+    if (!this.makeRoom(pages.count, one.score)) {
+      this.isFull = true;
+      return;
+    }
+    const name = unitName(unit2);
+    this.present.set(name, { unit: unit2, score: one.score, pages: pages.count, blades: pages.bladeCount });
+    if (pages.count === 0) return;
+    this.used += pages.count;
+    this.blades += pages.bladeCount;
+    ++this.flying;
+    const moved = [pages.blades.buffer, pages.patches.buffer];
+    this.tell({ kind: "unit", name, unit: unit2, pages }, moved);
+  }
+  /** Removes units that are wanted less than `score` until so many pages are free. Whether they are. */
+  makeRoom(pages, score) {
+    const names = [];
+    if (this.room - this.used < pages) {
+      const least = [...this.present].filter(([, one]) => one.pages > 0 && one.score * replacing < score).sort(([, a], [, b]) => a.score - b.score);
+      let free = this.room - this.used;
+      for (const [name, one] of least) {
+        if (free >= pages) break;
+        free += one.pages;
+        names.push(name);
+      }
+      if (free < pages) return false;
+    }
+    for (const name of names) {
+      const one = this.present.get(name);
+      this.used -= one.pages;
+      this.blades -= one.blades;
+      this.present.delete(name);
+    }
+    if (names.length > 0) this.tell({ kind: "gone", names }, []);
+    return true;
+  }
+  report() {
+    let missing = 0;
+    let missingScore = 0;
+    for (const one of this.wanted)
+      if (one.isCell || !this.present.has(unitName(one))) {
+        ++missing;
+        missingScore = Math.max(missingScore, one.score);
+      }
+    this.tell({ kind: "state", state: { look: this.lookNumber, missing, missingScore, isFull: this.isFull, blades: this.blades } }, []);
+  }
+};
+
+// src/sow/worker.ts
+var sowerName = "sward-sower";
+var scope = globalThis;
+if (scope.WorkerGlobalScope !== void 0 && scope.name === sowerName) {
+  const sower = new Sower(
+    (message, moved) => scope.postMessage(message, moved),
+    // Messages that have come are heard first.
+    (step) => setTimeout(step)
+  );
+  scope.onmessage = (event) => sower.hear(event.data);
 }
-function groundArrayOf(gl, field) {
-  const array = gl.createVertexArray();
-  gl.bindVertexArray(array);
-  gl.bindBuffer(gl.ARRAY_BUFFER, gl.createBuffer());
-  gl.bufferData(gl.ARRAY_BUFFER, field.ground.vertices, gl.STATIC_DRAW);
-  for (let i = 0; i < 4; ++i) gl.enableVertexAttribArray(i);
-  gl.vertexAttribPointer(0, 3, gl.FLOAT, false, groundVertexBytes, 0);
-  gl.vertexAttribIPointer(1, 1, gl.UNSIGNED_INT, groundVertexBytes, 12);
-  gl.vertexAttribPointer(2, 2, gl.FLOAT, false, groundVertexBytes, 16);
-  gl.vertexAttribPointer(3, 4, gl.UNSIGNED_BYTE, true, groundVertexBytes, 24);
-  gl.bindBuffer(gl.ELEMENT_ARRAY_BUFFER, gl.createBuffer());
-  gl.bufferData(gl.ELEMENT_ARRAY_BUFFER, field.ground.indices, gl.STATIC_DRAW);
-  gl.bindVertexArray(null);
-  return array;
+
+// src/sow/sowing.ts
+var usualBlades = 4e6;
+var pagesOfFrame = 192;
+var ignoredStep = 0.2;
+var ignoredPart = 0.01;
+var maxThinning = 8;
+var thinningStep = 1.1;
+var Sowing = class _Sowing {
+  constructor(field, options, module) {
+    this.field = field;
+    this.options = options;
+    const seeds = field.seeds;
+    const { meadow } = seeds;
+    this.bladesPerStored = 1 / Math.min(meadow.stored, 1);
+    this.pageCount = Math.max(Math.ceil((options.blades ?? usualBlades) / sownPageBlades), 16);
+    this.storedPatches = field.patches.count;
+    this.firstPatch = Math.ceil(this.storedPatches / 256) * 256;
+    this.firstBlade = Math.ceil(field.bladeCount / sownPageBlades) * sownPageBlades;
+    const words = new Uint32Array(patchWords * (this.firstPatch + this.pageCount * sownPagePatches));
+    words.set(field.patches.words);
+    this.patches = new Patches(new Uint8Array(words.buffer));
+    for (let p = 0; p < this.storedPatches; ++p)
+      this.patches.floats[patchWords * p + patchWord.widthStep] /= meadow.storedWidening;
+    for (let page = this.pageCount; page-- > 0; ) this.free.push(page);
+    const numbers = numbersOf(meadow, field.species, field.origin);
+    this.local = new SowModule(module, field.name);
+    this.local.begin(numbers, new Uint8Array(0));
+    this.start();
+    this.tell({ kind: "begin", module, numbers, entries: seeds.entries, pages: this.pageCount, place: field.name });
+  }
+  field;
+  options;
+  /** All patches: the stored ones with the widths of the whole meadow, then places for those of pages. */
+  patches;
+  /** Patches that are stored. */
+  storedPatches;
+  /** First patch and first blade of the first page. */
+  firstPatch;
+  firstBlade;
+  /** Places for pages. */
+  pageCount;
+  /** Blades of the whole meadow that a stored one stands for. */
+  bladesPerStored;
+  /** Pages whose rows have changed since the last update(). */
+  changed = [];
+  units = /* @__PURE__ */ new Map();
+  free = [];
+  local;
+  arrived = [];
+  looked;
+  state = { look: 0, missing: 1, missingScore: maxThinning, isFull: false, blades: 0 };
+  looks = 0;
+  thinned = 0;
+  tell = () => {
+  };
+  worker;
+  isStopped = false;
+  /** Begins to sow a field, which must have seeds. */
+  static async open(field, options = {}) {
+    if (!field.isSown) fail("usage", `${field.name}: has no seeds of which some blades are stored`);
+    const bytes = options.wasm ?? await wasmBeside();
+    return new _Sowing(field, options, await compileSower(bytes, field.name));
+  }
+  /** Ends its work. */
+  stop() {
+    this.isStopped = true;
+    this.worker?.terminate();
+    this.tell = () => {
+    };
+  }
+  /** Factor by which the threshold of level of detail is raised while blades are missing, 1 to 8. */
+  get thinning() {
+    return Math.max(this.thinned, 1);
+  }
+  /** Whether further frames with this eye change nothing. */
+  get isSettled() {
+    return this.looks === this.state.look && this.looks > 0 && this.arrived.length === 0 && (this.state.missing === 0 || this.state.isFull) && this.thinned === this.wantedThinning;
+  }
+  /** Whether the next frame shows something else than the last one. */
+  get hasNews() {
+    return this.arrived.length > 0 || this.thinned !== this.wantedThinning;
+  }
+  /** Blades that are sown now. */
+  get bladeCount() {
+    return this.state.blades;
+  }
+  /** Distance beyond which less is drawn, for an eye: render::sparseDistance(). `full`: up to which all is drawn [m]. */
+  sparseDistance(low, high, full, nearest) {
+    const { meadow } = this.field.seeds;
+    let shares = 0;
+    let blades = 0;
+    for (const kind of meadow.species) {
+      shares += kind.share;
+      blades += kind.share * (1 + kind.ribbons);
+    }
+    const perArea = meadow.density * (shares > 0 ? blades / shares : 1);
+    const all = this.field.bladeCount * this.bladesPerStored;
+    return this.local.sparseDistance(this.pageCount * sownPageBlades, perArea, all, low, high, full, nearest);
+  }
+  /** Takes over what has come, at most 6 MB, and tells the sower where the eye is. Call once a frame. */
+  update(eye) {
+    if (!this.looked || hasMoved(this.looked, eye)) {
+      this.looked = eye;
+      this.tell({ kind: "look", number: ++this.looks, eyes: [eye] });
+    }
+    let room = pagesOfFrame;
+    while (this.arrived.length > 0 && room > 0) {
+      const { name, pages } = this.arrived.shift();
+      this.add(name, pages);
+      room -= pages.count;
+      this.tell({ kind: "taken" });
+    }
+    const wanted = this.wantedThinning;
+    this.thinned = this.thinned === 0 ? wanted : Math.min(Math.max(wanted, this.thinned / thinningStep), this.thinned * thinningStep);
+  }
+  /** All is sown anew: the device was lost. */
+  forget() {
+    for (const name of [...this.units.keys()]) this.remove(name);
+    for (let i = 0; i < this.arrived.length; ++i) this.tell({ kind: "taken" });
+    this.arrived = [];
+    this.changed = [];
+    this.looked = void 0;
+    this.tell({ kind: "forget" });
+  }
+  /** Numbers of the patches of units: `visit` is told the one that bounds a unit, and returns whether it is seen. */
+  walk(seesUnit, visit) {
+    for (const unit2 of this.units.values()) {
+      if (!seesUnit(this.firstPatch + sownPagePatches * unit2.pages[0])) continue;
+      unit2.pages.forEach((page, i) => {
+        const first = this.firstPatch + sownPagePatches * page;
+        for (let p = i === 0 ? 1 : 0; p < unit2.patchCounts[i]; ++p) visit(first + p);
+      });
+    }
+  }
+  get wantedThinning() {
+    return Math.min(Math.max(this.state.missingScore, 1), maxThinning);
+  }
+  start() {
+    const hear = (message) => {
+      if (!this.isStopped) this.hear(message);
+    };
+    const inPage = () => {
+      const sower = new Sower(hear, (step) => setTimeout(step));
+      this.tell = (message) => sower.hear(message);
+    };
+    if (this.options.worker === false || typeof Worker === "undefined") return inPage();
+    try {
+      this.worker = new Worker(new URL("./sward.js", import.meta.url), { type: "module", name: sowerName });
+    } catch {
+      return inPage();
+    }
+    const sent = [];
+    this.tell = (message) => {
+      sent.push(message);
+      this.worker.postMessage(message);
+    };
+    let hasAnswered = false;
+    this.worker.onmessage = (event) => {
+      if (!hasAnswered) sent.length = 0;
+      hasAnswered = true;
+      sent.length = 0;
+      hear(event.data);
+    };
+    this.worker.onerror = (event) => {
+      event.preventDefault();
+      if (hasAnswered) return this.end(new SwardError("runtime", `${this.field.name}: sowing has stopped`));
+      this.worker?.terminate();
+      inPage();
+      for (const message of sent) this.tell(message);
+    };
+  }
+  hear(message) {
+    switch (message.kind) {
+      case "wants":
+        this.field.seeds.frame(message.cell).then(
+          (frame) => this.tell({ kind: "cell", cell: message.cell, frame }),
+          (error) => this.end(error)
+        );
+        break;
+      case "unit":
+        this.arrived.push(message);
+        this.options.onChange?.();
+        break;
+      case "gone":
+        for (const name of message.names) {
+          const at = this.arrived.findIndex((one) => one.name === name);
+          if (at >= 0) {
+            this.arrived.splice(at, 1);
+            this.tell({ kind: "taken" });
+          } else {
+            this.remove(name);
+          }
+        }
+        break;
+      case "state": {
+        const before = this.wantedThinning;
+        this.state = message.state;
+        if (this.wantedThinning !== before) this.options.onChange?.();
+        break;
+      }
+      case "failed":
+        this.end(new SwardError(message.error, message.message));
+    }
+  }
+  end(error) {
+    if (this.isStopped) return;
+    this.stop();
+    this.state = { ...this.state, look: this.looks, missing: 0, missingScore: 0 };
+    this.options.onError?.(error instanceof SwardError ? error : new SwardError("runtime", String(error)));
+  }
+  add(name, unit2) {
+    const pages = Array.from({ length: unit2.count }, () => this.free.pop());
+    const words = sownPageBlades * 4;
+    pages.forEach((page, i) => {
+      const first = this.firstPatch + sownPagePatches * page;
+      const own = unit2.patches.subarray(i * sownPagePatches * patchWords, (i + 1) * sownPagePatches * patchWords);
+      this.patches.words.set(own, patchWords * first);
+      for (let p = 0; p < unit2.patchCounts[i]; ++p)
+        this.patches.words[patchWords * (first + p) + patchWord.firstBlade] += this.firstBlade + sownPageBlades * page;
+      this.changed.push({ page, blades: unit2.blades.subarray(i * words, (i + 1) * words) });
+    });
+    this.units.set(name, { pages, patchCounts: unit2.patchCounts });
+  }
+  remove(name) {
+    const unit2 = this.units.get(name);
+    if (!unit2) return;
+    this.units.delete(name);
+    this.free.push(...unit2.pages);
+    const gone = new Set(unit2.pages);
+    this.changed = this.changed.filter((row) => !gone.has(row.page));
+  }
+};
+function hasMoved(a, b) {
+  const step = Math.hypot(a.eye[0] - b.eye[0], a.eye[1] - b.eye[1], a.eye[2] - b.eye[2]);
+  const changed = (x, y) => Math.abs(x - y) > ignoredPart * Math.abs(y);
+  return step >= ignoredStep || changed(a.pixelsPerUnit, b.pixelsPerUnit) || changed(a.lodThreshold, b.lodThreshold) || a.lodWidth !== b.lodWidth || a.drawDistance !== b.drawDistance || changed(a.sparseFrom, b.sparseFrom);
+}
+async function wasmBeside() {
+  const address = new URL("./sow.wasm", import.meta.url);
+  let response;
+  try {
+    response = await fetch(address);
+  } catch {
+    fail("io", `${address}: no answer from the server`);
+  }
+  if (!response.ok) fail("io", `${address}: the server answers ${response.status}`);
+  return response.arrayBuffer();
 }
 
 // src/page/controls.ts
@@ -4033,13 +4899,14 @@ var Panel = class {
       "aria-label",
       "A field of grass in three dimensions. Arrow keys turn the view, plus and minus come nearer and go away."
     );
-    element.replaceChildren(canvas, this.message, this.bar);
+    element.replaceChildren(canvas, this.message, this.bar, this.note);
     this.say("The field is coming.");
   }
   element;
   canvas;
   message = make("p", { class: "sward-message", role: "status", "aria-live": "polite" });
   bar = make("progress", { class: "sward-progress", "aria-label": "Blades that have come", max: "1" });
+  note = make("small", { class: "sward-note", role: "note" });
   hasFailed = false;
   /** Shows a text; none if it is empty. */
   say(text) {
@@ -4056,6 +4923,11 @@ var Panel = class {
     this.message.setAttribute("role", "alert");
     this.message.classList.add("sward-error");
     this.bar.hidden = true;
+  }
+  /** Says that the blades between the stored ones of a field with seeds are missing. */
+  lacksBlades(error) {
+    const why = error instanceof SwardError ? error.message : String(error);
+    this.note.append(`These are the stored blades of a field with seeds; the others are not sown: ${why} `);
   }
   /** Bytes of a file that comes as a whole. */
   receive(received, total) {
@@ -4128,10 +5000,8 @@ var Panel = class {
       select.addEventListener("change", () => view.setCamera(cameras[select.selectedIndex]));
       tools.append(select);
     }
-    const { defaults, hasSeeds } = view.field;
-    const notes = [hasSeeds ? "The stored blades of a field with seeds: a page does not sow the others." : "", defaults.copyright];
-    const note = notes.filter((text) => text !== "").join(" ");
-    this.element.append(tools, ...note ? [make("small", { class: "sward-note" }, note)] : []);
+    this.note.append(view.field.defaults.copyright);
+    this.element.append(tools);
   }
 };
 
@@ -4236,6 +5106,7 @@ var FieldView = class {
     this.isStopped = true;
     this.observer.disconnect();
     document.removeEventListener("visibilitychange", this.wake);
+    this.renderer.sowing?.stop();
   }
   wake = () => {
     this.last = 0;
@@ -4261,8 +5132,8 @@ var FieldView = class {
     const isResting = !blows && !this.controls.isMoving && performance.now() - this.changedAt > rest;
     if (!blows && !this.isDirty && (!isResting || this.isRefined)) return;
     const elapsed = blows ? Math.min(since / 1e3, longestFrame) : 0;
-    this.isDirty = false;
-    this.isRefined = isResting;
+    this.isDirty = this.renderer.sowing?.hasNews ?? false;
+    this.isRefined = isResting && !this.isDirty;
     this.draw(elapsed, isResting);
     if (blows && since > 0) this.adapt(since);
   };
@@ -4337,13 +5208,28 @@ async function showField(element, options) {
       options.cover ? coverAt(options.cover) : noCover,
       field.loadPages(0, Math.min(firstPages, field.pageCount))
     ]);
-    const renderer = new Renderer(canvas, field, cover);
-    const view = new FieldView(element, field, renderer, panel, options.camera);
+    const view = new FieldView(
+      element,
+      field,
+      new Renderer(canvas, field, cover, await sowingOf(field, options, panel, () => view.change())),
+      panel,
+      options.camera
+    );
     if (options.panel ?? true) panel.control(view);
     return view;
   } catch (error) {
     panel.fail(error);
     throw error;
+  }
+}
+async function sowingOf(field, options, panel, onChange) {
+  if (!field.isSown || options.sow === false) return void 0;
+  const onError = (error) => panel.lacksBlades(error);
+  try {
+    return await Sowing.open(field, { onChange, onError, ...options.sow });
+  } catch (error) {
+    onError(error);
+    return void 0;
   }
 }
 async function coverAt(address) {
@@ -4361,18 +5247,25 @@ export {
   FieldView,
   Patches,
   Renderer,
+  SowModule,
+  Sowing,
   SwardError,
+  bladeId,
+  compileSower,
   fittingCamera,
   lightAt,
   noCover,
+  numbersOf,
   openField,
   pageBlades,
+  pagesOf,
   parseCoverFile,
   patchWord,
   patchWords,
   readField,
   shaders_exports as shaders,
   showField,
+  unpackFrame,
   usualSun,
   xxh3
 };

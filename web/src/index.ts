@@ -15,6 +15,13 @@ export type { Cover } from "./render/cover";
 export { lightAt, usualSun } from "./render/light";
 export type { Light } from "./render/light";
 export { fittingCamera } from "./render/camera";
+export { Sowing } from "./sow/sowing";
+export type { SowOptions } from "./sow/sowing";
+/** The sower itself, for tests. */
+export { bladeId } from "./format/blades";
+export { compileSower, numbersOf, SowModule } from "./sow/module";
+export { pagesOf } from "./sow/pages";
+export { unpackFrame } from "./format/container";
 export { FieldView, showField } from "./page/page";
 export type { ShowOptions } from "./page/page";
 export type { Mode } from "./page/controls";

@@ -204,26 +204,7 @@ export class Container {
   private decompressed(chunk: Chunk, stored: Uint8Array): Uint8Array {
     if (chunk.elementCount === 0) return new Uint8Array(0);
     const place = `${this.source.name}: chunk ${chunk.name}`;
-    if (chunk.rawBytes > plainBytes + largestRatio * stored.length)
-      fail(
-        "input",
-        `${place}: ${stored.length} compressed bytes claim to hold ${chunk.rawBytes}, ` +
-          `more than ${plainBytes} and ${largestRatio} for each`,
-      );
-    const frame = frameOf(stored);
-    if (!frame || frame.content !== chunk.rawBytes)
-      fail("input", `${place}: the compressed data does not hold ${chunk.rawBytes} bytes`);
-    if (frame.window > largestWindow)
-      fail("input", `${place}: its window is ${frame.window} bytes, more than ${largestWindow}`);
-    const planes = new Uint8Array(chunk.rawBytes);
-    let result: Uint8Array;
-    try {
-      result = decompress(stored, planes);
-    } catch {
-      fail("input", `${place}: the compressed data is damaged`);
-    }
-    if (result.length !== chunk.rawBytes)
-      fail("input", `${place}: decompresses to ${result.length} bytes instead of ${chunk.rawBytes}`);
+    const planes = unpackFrame(stored, chunk.rawBytes, place);
     // First all first bytes of the elements, then all second ones: back to elements.
     const { elementBytes, elementCount } = chunk;
     if (elementBytes === 1) return planes;
@@ -246,6 +227,34 @@ export class Container {
       fail("input", `${this.source.name}: chunk ${name} is not UTF-8`);
     }
   }
+}
+
+/**
+ * Undoes zstd, with the bounds of docs/field_format.md. `rawBytes`: what the frame must hold; without it what it
+ * states.
+ */
+export function unpackFrame(stored: Uint8Array, rawBytes: number | undefined, place: string): Uint8Array {
+  const frame = frameOf(stored);
+  const bytes = rawBytes ?? frame?.content ?? 0;
+  if (bytes > plainBytes + largestRatio * stored.length)
+    fail(
+      "input",
+      `${place}: ${stored.length} compressed bytes claim to hold ${bytes}, ` +
+        `more than ${plainBytes} and ${largestRatio} for each`,
+    );
+  if (!frame || frame.content !== bytes)
+    fail("input", `${place}: the compressed data does not hold ${bytes} bytes`);
+  if (frame.window > largestWindow)
+    fail("input", `${place}: its window is ${frame.window} bytes, more than ${largestWindow}`);
+  const plain = new Uint8Array(bytes);
+  let result: Uint8Array;
+  try {
+    result = decompress(stored, plain);
+  } catch {
+    fail("input", `${place}: the compressed data is damaged`);
+  }
+  if (result.length !== bytes) fail("input", `${place}: decompresses to ${result.length} bytes instead of ${bytes}`);
+  return plain;
 }
 
 /** Content size and window of a zstd frame (RFC 8878, 3.1.1.1); undefined if it states no size. */

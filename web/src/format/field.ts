@@ -3,6 +3,7 @@ import { Chunk, Container } from "./container";
 import { fail } from "./error";
 import { Ground, readGround } from "./ground";
 import { Patches } from "./patches";
+import { Seeds } from "./seeds";
 import { BufferSource, FetchOptions, openSource } from "./source";
 import { Defaults, parseCover, parseDefaults, parseSpecies, Species } from "./texts";
 
@@ -36,8 +37,8 @@ export class Field {
     readonly ground: Ground,
     /** Leaf area of the meadow relative to that of the blades. */
     readonly thinned: number,
-    /** Whether the file has seeds, from which `sward` grows more blades than the stored ones. */
-    readonly hasSeeds: boolean,
+    /** What bears, from which more blades grow than the stored ones; undefined if these are all. */
+    readonly seeds: Seeds | undefined,
   ) {
     this.name = container.source.name;
     this.origin = container.origin;
@@ -65,16 +66,28 @@ export class Field {
     ]);
     const patches = new Patches(patchBytes);
     patches.verify(bladeChunk.elementCount, place);
+    const kinds = parseSpecies(species!, `${place}: species`);
     return new Field(
       container,
       bladeChunk,
       patches,
-      parseSpecies(species!, `${place}: species`),
+      kinds,
       parseDefaults(defaults!, `${place}: defaults`),
       ground,
       parseCover(cover, `${place}: cover`),
-      container.find("SEEDS") !== undefined,
+      await Seeds.open(container, kinds.length),
     );
+  }
+
+  /** Whether the file says what bears. */
+  get hasSeeds(): boolean {
+    return this.seeds !== undefined;
+  }
+
+  /** Whether the rest of the meadow grows from seeds: some of its blades are stored, but not all. */
+  get isSown(): boolean {
+    const stored = this.seeds?.meadow.stored ?? 1;
+    return this.bladeCount > 0 && stored > 0 && stored < 1;
   }
 
   /** Bytes received so far. */

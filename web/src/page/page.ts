@@ -5,6 +5,8 @@ import { fittingCamera } from "../render/camera";
 import { noCover, parseCoverFile } from "../render/cover";
 import { lightAt, usualSun } from "../render/light";
 import { Renderer } from "../render/renderer";
+import { Sowing } from "../sow/sowing";
+import type { SowOptions } from "../sow/sowing";
 import { clamp, scaled, size, sub, unit } from "../render/vector";
 import { Controls, Mode } from "./controls";
 import { GroundHeight } from "./ground_height";
@@ -20,6 +22,8 @@ export interface ShowOptions {
   camera?: Camera;
   /** Whether there are controls; true by default. */
   panel?: boolean;
+  /** How a field with seeds is sown; false: its stored blades alone are shown. */
+  sow?: SowOptions | false;
 }
 
 /** Blades that come before the first picture [pages of 1024]: 6 MB. */
@@ -135,6 +139,7 @@ export class FieldView {
     this.isStopped = true;
     this.observer.disconnect();
     document.removeEventListener("visibilitychange", this.wake);
+    this.renderer.sowing?.stop();
   }
 
   private readonly wake = (): void => {
@@ -163,8 +168,8 @@ export class FieldView {
     const isResting = !blows && !this.controls.isMoving && performance.now() - this.changedAt > rest;
     if (!blows && !this.isDirty && (!isResting || this.isRefined)) return;
     const elapsed = blows ? Math.min(since / 1000, longestFrame) : 0;
-    this.isDirty = false;
-    this.isRefined = isResting;
+    this.isDirty = this.renderer.sowing?.hasNews ?? false;
+    this.isRefined = isResting && !this.isDirty;
     this.draw(elapsed, isResting);
     if (blows && since > 0) this.adapt(since);
   };
@@ -254,13 +259,35 @@ export async function showField(element: HTMLElement, options: ShowOptions): Pro
       options.cover ? coverAt(options.cover) : noCover,
       field.loadPages(0, Math.min(firstPages, field.pageCount)),
     ]);
-    const renderer = new Renderer(canvas, field, cover);
-    const view = new FieldView(element, field, renderer, panel, options.camera);
+    const view: FieldView = new FieldView(
+      element,
+      field,
+      new Renderer(canvas, field, cover, await sowingOf(field, options, panel, () => view.change())),
+      panel,
+      options.camera,
+    );
     if (options.panel ?? true) panel.control(view);
     return view;
   } catch (error) {
     panel.fail(error);
     throw error;
+  }
+}
+
+/** Sows the blades between the stored ones. Without them the field is still shown, and the panel says why. */
+async function sowingOf(
+  field: Field,
+  options: ShowOptions,
+  panel: Panel,
+  onChange: () => void,
+): Promise<Sowing | undefined> {
+  if (!field.isSown || options.sow === false) return undefined;
+  const onError = (error: unknown) => panel.lacksBlades(error);
+  try {
+    return await Sowing.open(field, { onChange, onError, ...options.sow });
+  } catch (error) {
+    onError(error);
+    return undefined;
   }
 }
 

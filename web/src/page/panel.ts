@@ -21,6 +21,7 @@ function make<K extends keyof HTMLElementTagNameMap>(
 export class Panel {
   private readonly message = make("p", { class: "sward-message", role: "status", "aria-live": "polite" });
   private readonly bar = make("progress", { class: "sward-progress", "aria-label": "Blades that have come", max: "1" });
+  private readonly note = make("small", { class: "sward-note", role: "note" });
   private hasFailed = false;
 
   constructor(
@@ -34,7 +35,7 @@ export class Panel {
       "aria-label",
       "A field of grass in three dimensions. Arrow keys turn the view, plus and minus come nearer and go away.",
     );
-    element.replaceChildren(canvas, this.message, this.bar);
+    element.replaceChildren(canvas, this.message, this.bar, this.note);
     this.say("The field is coming.");
   }
 
@@ -55,6 +56,12 @@ export class Panel {
     this.message.setAttribute("role", "alert");
     this.message.classList.add("sward-error");
     this.bar.hidden = true;
+  }
+
+  /** Says that the blades between the stored ones of a field with seeds are missing. */
+  lacksBlades(error: unknown): void {
+    const why = error instanceof SwardError ? error.message : String(error);
+    this.note.append(`These are the stored blades of a field with seeds; the others are not sown: ${why} `);
   }
 
   /** Bytes of a file that comes as a whole. */
@@ -133,9 +140,7 @@ export class Panel {
       select.addEventListener("change", () => view.setCamera(cameras[select.selectedIndex]));
       tools.append(select);
     }
-    const { defaults, hasSeeds } = view.field;
-    const notes = [hasSeeds ? "The stored blades of a field with seeds: a page does not sow the others." : "", defaults.copyright];
-    const note = notes.filter((text) => text !== "").join(" ");
-    this.element.append(tools, ...(note ? [make("small", { class: "sward-note" }, note)] : []));
+    this.note.append(view.field.defaults.copyright);
+    this.element.append(tools);
   }
 }

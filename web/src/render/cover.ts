@@ -1,7 +1,7 @@
 import { heightSteps, toneBits } from "../generated/layout";
 import { fail } from "../format/error";
 import { Vec3 } from "../format/texts";
-import { fromHalf } from "./half";
+import { fromHalf, toHalf } from "./half";
 
 /** shared::Cover as `sward export` writes it into field.cover, and its corners. */
 export interface Cover {
@@ -48,6 +48,27 @@ export function parseCoverFile(bytes: ArrayBuffer, name: string): Cover {
     leaves: Array.from({ length: heightSteps / 2 }, (_, i) => word(80 + 4 * i)),
     corners,
   };
+}
+
+/** Halves hold 65 504. */
+const largestLeafArea = 1000;
+
+/**
+ * The cover of the whole meadow from that of the stored blades of a field with seeds, of which each stands for
+ * `bladesPerStored`: SownView::leafArea() of src/render/sowing.
+ */
+export function sownCover(cover: Cover, bladesPerStored: number): Cover {
+  const corners = cover.corners.map((corner) => {
+    const bits = corner & ~toneBits;
+    const area = fromHalf(bits & 0xffff);
+    if (!(area > 0)) return corner;
+    const leaves = Math.min(area * bladesPerStored, largestLeafArea);
+    const heights = (fromHalf(bits >>> 16) / area) * leaves;
+    // packGrass() rounds by half of what the tone takes.
+    const halves = (toHalf(leaves) | (toHalf(heights) << 16)) + 0x20000;
+    return ((halves & ~toneBits) | (corner & toneBits)) >>> 0;
+  });
+  return { ...cover, thinned: 1, corners };
 }
 
 /** Without a cover: no shade between blades. */

@@ -43,6 +43,9 @@ export interface FrameInput {
   shadowDistance: number;
   /** Width below which blades are left out [pixels]. */
   lodThreshold: number;
+  /** As TreeView. */
+  sparseFrom: number;
+  sparseLeast: number;
 }
 
 /** Fog that hides a tenth of an object at the length of the content: chosenFog() of src/render/frame/frame.cpp. */
@@ -80,6 +83,8 @@ export function frameBlock(scene: Scene, input: FrameInput): Block {
   block.words("view.samples", [frameSettings.samples]);
   block.words("view.cullMask", [cullPatch | cullOrientation | cullFrustum | cullDistance | leaveThinned]);
   block.floats("view.areaFactor", [cover.areaFactor]);
+  block.floats("view.sparseFrom", [input.sparseFrom]);
+  block.floats("view.sparseLeast", [input.sparseLeast]);
   block.words("maxTessellation", [16]);
 
   const environment = "environment.gravity.";

@@ -3,12 +3,12 @@ import * as shaders from "../generated/shaders";
 import { bladeWords } from "../format/blades";
 import { fail } from "../format/error";
 import { Field, pageBlades } from "../format/field";
-import { groundVertexBytes } from "../format/ground";
-import { patchWords } from "../format/patches";
 import { Camera, Vec3 } from "../format/texts";
 import { Block } from "./block";
-import { viewOf } from "./camera";
-import { Cover, noCover } from "./cover";
+import { sownPagePatches } from "../sow/pages";
+import type { Sowing } from "../sow/sowing";
+import { View, viewOf } from "./camera";
+import { Cover, noCover, sownCover } from "./cover";
 import { chosenExposure } from "./exposure";
 import { floorOf, noFloor } from "./floor";
 import {
@@ -16,8 +16,9 @@ import {
 } from "./frame";
 import { bindTexture, Gl, imageTexture, makeTarget, makeTexture, Picture, Program, samplePlaces, tableWidth, wordTable } from "./gl";
 import { Light, usualLight, turnedWith } from "./light";
+import { groundArrayOf, patchesOfRow, patchTable, patchTexels, patchTexelsOf, ribbonIndices } from "./tables";
 import { classes, groupBlades, Groups, meanBladeWidth, PatchTree, shadowClass, TreeView } from "./tree";
-import { Box, scaled, unit } from "./vector";
+import { Box, scaled, size, unit } from "./vector";
 
 /** What a picture shows. */
 export interface DrawInput {
@@ -45,8 +46,6 @@ export interface DrawStats {
 
 const captured = ["recordV0", "recordV1", "recordV2", "recordSurface", "recordFrame", "recordBend"];
 const recordBytes = 16 * captured.length;
-const patchTexels = 7;
-const patchesOfRow = 256;
 const usualMax = 400_000;
 
 /** Draws a field by WebGL 2. The shaders are the viewer's: see web/generate.mjs. */
@@ -62,6 +61,8 @@ export class Renderer {
     readonly canvas: HTMLCanvasElement,
     readonly field: Field,
     cover: Cover = noCover,
+    /** The blades between the stored ones of a field with seeds. */
+    readonly sowing?: Sowing,
   ) {
     const gl = canvas.getContext("webgl2", {
       antialias: false,
@@ -71,14 +72,15 @@ export class Renderer {
     });
     if (!gl) fail("unsupported", "this browser has no WebGL 2, or its graphics driver is blocked");
     this.gl = gl;
-    this.tree = new PatchTree(field);
-    this.scene = sceneOf(field, cover);
+    this.tree = new PatchTree(field, sowing);
+    this.scene = sceneOf(field, sowing ? sownCover(cover, sowing.bladesPerStored) : cover, sowing?.patches);
     this.restore();
   }
 
   /** Makes all that lies on the device, first or after the device was lost. */
   restore(): void {
-    this.parts = new Parts(this.gl, this.field, this.scene);
+    this.parts = new Parts(this.gl, this.field, this.scene, this.sowing);
+    this.sowing?.forget();
   }
 
   /** The sun as the viewer has it by default. */
@@ -89,7 +91,7 @@ export class Renderer {
 
   /** Draws a picture as large as the canvas. */
   draw(input: DrawInput): DrawStats {
-    const { canvas, field, scene } = this;
+    const { canvas, field, scene, sowing } = this;
     const view = viewOf(input.camera, field.origin, canvas.width, canvas.height, scene.content);
     const frame: FrameInput = {
       view,
@@ -99,6 +101,8 @@ export class Renderer {
       time: input.time,
       shadowDistance,
       lodThreshold: this.lodThreshold,
+      sparseFrom: 0,
+      sparseLeast: field.seeds?.meadow.stored ?? 0,
     };
     const treeView: TreeView = {
       eye: view.eye,
@@ -108,10 +112,22 @@ export class Renderer {
       lodThreshold: this.lodThreshold,
       lodWidth: scene.bladeWidth,
       minWidth: minWidthOf(view),
+      sparseFrom: 0,
+      sparseLeast: frame.sparseLeast,
     };
+    /** What depends on the threshold of level of detail, which is raised while blades are missing. */
+    const choose = () => {
+      frame.sparseFrom = treeView.sparseFrom = sowing ? this.sparseFrom(view) : 0;
+      treeView.lodThreshold = frame.lodThreshold = this.lodThreshold * (sowing?.thinning ?? 1);
+      return this.tree.groupsOf(treeView, Infinity);
+    };
+    if (sowing) {
+      choose();
+      sowing.update({ ...treeView, lodThreshold: this.lodThreshold });
+    }
     this.parts.uploadPages();
     const most = input.maxBlades ?? usualMax;
-    let groups = this.tree.groupsOf(treeView, Infinity);
+    let groups = choose();
     // Far too many blades, or far too few: change level of detail at once. Else slowly, so that nothing flickers.
     const usual = frameSettings.lodThreshold;
     for (let i = 0; i < 12; ++i) {
@@ -120,8 +136,7 @@ export class Renderer {
       else if (ratio < 0.7 && this.lodThreshold > usual)
         this.lodThreshold = Math.max(this.lodThreshold * Math.max(1.2 * ratio, 0.5), usual);
       else break;
-      treeView.lodThreshold = frame.lodThreshold = this.lodThreshold;
-      groups = this.tree.groupsOf(treeView, Infinity);
+      groups = choose();
     }
     if (groups.blades > most) this.lodThreshold *= 1.02;
     else if (groups.blades < 0.8 * most) this.lodThreshold = Math.max(this.lodThreshold / 1.02, usual);
@@ -132,6 +147,14 @@ export class Renderer {
         : undefined;
     this.parts.draw(frame, groups, casters, shadowPlanes(rows), input.elapsed, canvas.width, canvas.height, input.isFine ?? false);
     return { blades: groups.blades, missing: groups.missing };
+  }
+
+  /** Distance beyond which a sown field is drawn sparsely: frameOf() of src/render/frame/frame.cpp. */
+  private sparseFrom(view: View): number {
+    const { low, high } = this.scene.content;
+    const gap = [0, 1, 2].map((i) => Math.max(low[i] - view.eye[i], view.eye[i] - high[i], 0)) as Vec3;
+    const full = (this.scene.bladeWidth * view.pixelsPerUnit) / this.lodThreshold;
+    return this.sowing!.sparseDistance(low, high, full, size(gap));
   }
 
   /** Records of the blades that the last draw() posed; 24 words each. For tests. */
@@ -165,7 +188,7 @@ function boxOf(field: Field): { content: Box; ground: Box } {
   return { content, ground };
 }
 
-function sceneOf(field: Field, cover: Cover): Scene {
+function sceneOf(field: Field, cover: Cover, patches = field.patches): Scene {
   const { content, ground } = boxOf(field);
   const gravity = field.defaults.gravity;
   const up = unit(scaled(gravity.direction, -1));
@@ -175,7 +198,7 @@ function sceneOf(field: Field, cover: Cover): Scene {
     content,
     groundBox: ground,
     floor: gravity.blend === 0 ? floorOf(field.ground, up) : noFloor,
-    bladeWidth: meanBladeWidth(field.patches),
+    bladeWidth: meanBladeWidth(patches, field.patches.count),
     exposure: chosenExposure(field.ground, cover, field.bladeCount > 0),
   };
 }
@@ -221,6 +244,8 @@ class Parts {
   private readonly groundParts: GroundPart[];
   private readonly nothing: WebGLVertexArrayObject;
   private readonly uploaded: Uint8Array;
+  /** First row of blades, and of patches, that are sown. */
+  private readonly sownRow: number;
   private picture: Picture | undefined;
   private recordRoom = 0;
   private recordCount = 0;
@@ -231,6 +256,7 @@ class Parts {
     private readonly gl: Gl,
     private readonly field: Field,
     private readonly scene: Scene,
+    private readonly sowing: Sowing | undefined,
   ) {
     const programs = {
       move: new Program(gl, "move", shaders.moveVert, shaders.moveFrag),
@@ -252,10 +278,11 @@ class Parts {
     this.bladeShadow = programs.bladeShadow.finish();
 
     this.uploaded = new Uint8Array(field.pageCount);
-    this.stateRows = Math.max(Math.ceil(field.bladeCount / tableWidth), 1);
+    this.sownRow = (sowing?.firstBlade ?? 0) / tableWidth;
+    this.stateRows = sowing ? this.sownRow + sowing.pageCount : Math.max(Math.ceil(field.bladeCount / tableWidth), 1);
     const most = gl.getParameter(gl.MAX_TEXTURE_SIZE) as number;
     if (this.stateRows > most)
-      fail("unsupported", `${field.name}: ${field.bladeCount} blades, more than ${most * tableWidth} on this device`);
+      fail("unsupported", `${field.name}: ${this.stateRows * tableWidth} blades, more than ${most * tableWidth} on this device`);
     this.blades = makeTexture(gl, gl.RGBA32UI, tableWidth, this.stateRows);
     this.states = [0, 1].map(() => makeTexture(gl, gl.R32UI, tableWidth, this.stateRows));
     this.stateTargets = this.states.map((states) => {
@@ -263,7 +290,7 @@ class Parts {
       gl.clearBufferuiv(gl.COLOR, 0, [unsettledTurn, 0, 0, 0]);
       return target;
     });
-    this.patches = patchTable(gl, field);
+    this.patches = patchTable(gl, sowing?.patches ?? field.patches);
     this.cover = wordTable(gl, scene.cover.corners);
     this.sunMap = makeTexture(gl, gl.DEPTH_COMPONENT24, sunMapSize, sunMapSize);
     this.sunTarget = makeTarget(gl, null, this.sunMap);
@@ -305,6 +332,7 @@ class Parts {
   /** Copies the pages that have come to the device. */
   uploadPages(): void {
     const { gl, field } = this;
+    if (this.sowing) this.uploadSown(this.sowing);
     if (field.presentPages === 0) return;
     const words = pageBlades * bladeWords;
     gl.activeTexture(gl.TEXTURE0);
@@ -327,6 +355,28 @@ class Parts {
       gl.texSubImage2D(gl.TEXTURE_2D, 0, x, page >> 1, width, rows, gl.RGBA_INTEGER, gl.UNSIGNED_INT, data);
       this.uploaded.fill(1, page, end);
     }
+  }
+
+  /** The same for what is sown: a row of blades, unsettled, and a quarter of a row of patches each. */
+  private uploadSown(sowing: Sowing): void {
+    const { gl } = this;
+    const unsettled = new Uint32Array(tableWidth).fill(unsettledTurn);
+    gl.activeTexture(gl.TEXTURE0);
+    for (const { page, blades } of sowing.changed) {
+      const row = this.sownRow + page;
+      gl.bindTexture(gl.TEXTURE_2D, this.blades);
+      gl.texSubImage2D(gl.TEXTURE_2D, 0, 0, row, tableWidth, 1, gl.RGBA_INTEGER, gl.UNSIGNED_INT, blades);
+      for (const states of this.states) {
+        gl.bindTexture(gl.TEXTURE_2D, states);
+        gl.texSubImage2D(gl.TEXTURE_2D, 0, 0, row, tableWidth, 1, gl.RED_INTEGER, gl.UNSIGNED_INT, unsettled);
+      }
+      const first = sowing.firstPatch + sownPagePatches * page;
+      const texels = patchTexelsOf(sowing.patches, first, first + sownPagePatches);
+      gl.bindTexture(gl.TEXTURE_2D, this.patches);
+      const [x, y] = [patchTexels * (first % patchesOfRow), Math.floor(first / patchesOfRow)];
+      gl.texSubImage2D(gl.TEXTURE_2D, 0, x, y, patchTexels * sownPagePatches, 1, gl.RGBA_INTEGER, gl.UNSIGNED_INT, texels);
+    }
+    sowing.changed = [];
   }
 
   draw(
@@ -538,48 +588,4 @@ class Parts {
     }
     gl.disable(gl.CULL_FACE);
   }
-}
-
-/** The patch tree as a texture of seven texels a patch. */
-function patchTable(gl: Gl, field: Field): WebGLTexture {
-  const rows = Math.max(Math.ceil(field.patches.count / patchesOfRow), 1);
-  const width = patchTexels * patchesOfRow;
-  const texels = new Uint32Array(4 * width * rows);
-  for (let p = 0; p < field.patches.count; ++p)
-    texels.set(field.patches.words.subarray(p * patchWords, (p + 1) * patchWords), 4 * patchTexels * p);
-  const texture = makeTexture(gl, gl.RGBA32UI, width, rows);
-  gl.texSubImage2D(gl.TEXTURE_2D, 0, 0, 0, width, rows, gl.RGBA_INTEGER, gl.UNSIGNED_INT, texels);
-  return texture;
-}
-
-/** Triangles between rows of vertices. */
-function ribbonIndices(gl: Gl, segments: number, columns: number): WebGLBuffer {
-  const list: number[] = [];
-  for (let row = 0; row < segments; ++row)
-    for (let column = 0; column + 1 < columns; ++column) {
-      const first = row * columns + column;
-      const above = first + columns;
-      list.push(first, first + 1, above, above, first + 1, above + 1);
-    }
-  const buffer = gl.createBuffer()!;
-  gl.bindVertexArray(null);
-  gl.bindBuffer(gl.ELEMENT_ARRAY_BUFFER, buffer);
-  gl.bufferData(gl.ELEMENT_ARRAY_BUFFER, new Uint16Array(list), gl.STATIC_DRAW);
-  return buffer;
-}
-
-function groundArrayOf(gl: Gl, field: Field): WebGLVertexArrayObject {
-  const array = gl.createVertexArray()!;
-  gl.bindVertexArray(array);
-  gl.bindBuffer(gl.ARRAY_BUFFER, gl.createBuffer());
-  gl.bufferData(gl.ARRAY_BUFFER, field.ground.vertices, gl.STATIC_DRAW);
-  for (let i = 0; i < 4; ++i) gl.enableVertexAttribArray(i);
-  gl.vertexAttribPointer(0, 3, gl.FLOAT, false, groundVertexBytes, 0);
-  gl.vertexAttribIPointer(1, 1, gl.UNSIGNED_INT, groundVertexBytes, 12);
-  gl.vertexAttribPointer(2, 2, gl.FLOAT, false, groundVertexBytes, 16);
-  gl.vertexAttribPointer(3, 4, gl.UNSIGNED_BYTE, true, groundVertexBytes, 24);
-  gl.bindBuffer(gl.ELEMENT_ARRAY_BUFFER, gl.createBuffer());
-  gl.bufferData(gl.ELEMENT_ARRAY_BUFFER, field.ground.indices, gl.STATIC_DRAW);
-  gl.bindVertexArray(null);
-  return array;
 }

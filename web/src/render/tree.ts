@@ -2,6 +2,7 @@ import { lodFullShare, maxHeightCompensation, outlineMost } from "../generated/l
 import { Patches, patchWord, patchWords } from "../format/patches";
 import { Field } from "../format/field";
 import { ribbonsOf } from "../format/texts";
+import type { Sowing } from "../sow/sowing";
 
 /** What culling knows of a view: the members of Eyepoint in shaders/shared/eyepoint.h. */
 export interface TreeView {
@@ -12,6 +13,9 @@ export interface TreeView {
   lodThreshold: number;
   lodWidth: number;
   minWidth: number;
+  /** [m] beyond this distance less is drawn; 0: off. And the least share that is left. */
+  sparseFrom: number;
+  sparseLeast: number;
 }
 
 /** Blades of one instance of the passes that move and pose them: groupBlades in web/shaders/blades.glsl. */
@@ -43,6 +47,12 @@ export interface Groups {
 const lodShare = (pixels: number, threshold: number) =>
   Math.min(Math.max(pixels / threshold, 1 / 256), lodFullShare);
 
+/** sparseShare() and leavesPerDrawn() of shaders/shared/visibility.h. */
+function sparseShare(view: TreeView, share: number, distance: number): number {
+  if (view.sparseFrom <= 0 || distance <= view.sparseFrom) return 1;
+  return Math.max((view.sparseFrom / distance) ** 3, Math.min(view.sparseLeast / share, 1));
+}
+
 /** The walk of the patch tree: patchCulled() and thickEnough() of shaders/shared/visibility.h, on the CPU. */
 export class PatchTree {
   /** Largest full width of a blade in each subtree [m]. */
@@ -50,17 +60,23 @@ export class PatchTree {
   /** The lowest rank below each node; 1 if there is none. */
   private readonly rankBelow: Float32Array;
   private readonly queue: Uint32Array;
+  private readonly patches: Patches;
   /** Ribbons of a plant at most. */
   private readonly ribbons: number;
 
-  constructor(private readonly field: Field) {
-    const patches = field.patches;
+  /** `sowing`: of a field that is sown; its patches stand for those of the field. */
+  constructor(
+    private readonly field: Field,
+    private readonly sowing?: Sowing,
+  ) {
+    const patches = (this.patches = sowing?.patches ?? field.patches);
+    const stored = field.patches.count;
     this.ribbons = Math.max(0, ...field.species.map((one) => ribbonsOf(one.organs)));
-    this.widest = new Float32Array(patches.count);
-    this.rankBelow = new Float32Array(patches.count).fill(1);
-    this.queue = new Uint32Array(patches.count);
+    this.widest = new Float32Array(stored);
+    this.rankBelow = new Float32Array(stored).fill(1);
+    this.queue = new Uint32Array(stored);
     const f = patches.floats;
-    for (let p = patches.count - 1; p >= 0; --p) {
+    for (let p = stored - 1; p >= 0; --p) {
       const at = p * patchWords;
       const own = patches.bladeCount(p) > 0 ? f[at + patchWord.widthLow] + 63 * f[at + patchWord.widthStep] : 0;
       this.widest[p] = Math.max(this.widest[p], own);
@@ -74,7 +90,7 @@ export class PatchTree {
 
   /** Distance [m] of the eye from a patch's box. */
   private distance(view: TreeView, at: number): number {
-    const f = this.field.patches.floats;
+    const f = this.patches.floats;
     let square = 0;
     for (let i = 0; i < 3; ++i) {
       const off = Math.max(
@@ -89,13 +105,20 @@ export class PatchTree {
 
   private shareAt(view: TreeView, distance: number): number {
     if (view.lodThreshold <= 0) return lodFullShare;
-    return lodShare((view.lodWidth * view.pixelsPerUnit) / Math.max(distance, 1e-6), view.lodThreshold);
+    const share = lodShare((view.lodWidth * view.pixelsPerUnit) / Math.max(distance, 1e-6), view.lodThreshold);
+    return share * sparseShare(view, share, distance);
+  }
+
+  private leavesPerDrawn(view: TreeView, distance: number): number {
+    if (view.sparseFrom <= 0 || distance <= view.sparseFrom || view.lodThreshold <= 0) return 1;
+    const share = lodShare((view.lodWidth * view.pixelsPerUnit) / Math.max(distance, 1e-6), view.lodThreshold);
+    return 1 / Math.sqrt(sparseShare(view, share, distance));
   }
 
   /** Whether no blade of a subtree is in the view. */
-  private isOutside(view: TreeView, p: number, nearest: number): boolean {
+  private isOutside(view: TreeView, p: number, nearest: number, widest: number): boolean {
     if (nearest > view.drawDistance) return true;
-    const f = this.field.patches.floats;
+    const f = this.patches.floats;
     const at = p * patchWords;
     let square = 0;
     let thinnest = Infinity;
@@ -108,7 +131,7 @@ export class PatchTree {
     }
     const farthest = Math.sqrt(square);
     const margin =
-      (0.5 * outlineMost * this.widest[p]) / (0.95 * this.shareAt(view, farthest)) +
+      (0.5 * outlineMost * widest) / (0.95 * this.shareAt(view, farthest) * this.leavesPerDrawn(view, farthest)) +
       view.minWidth * farthest +
       (maxHeightCompensation - 1) * 0.5 * thinnest;
     for (const plane of view.planes) {
@@ -124,40 +147,55 @@ export class PatchTree {
 
   /** The groups of blades that a view may show. `most`: blades at most. */
   groupsOf(view: TreeView, most: number, oneClass = -1): Groups {
-    const patches = this.field.patches;
+    const { patches, sowing } = this;
     const f = patches.floats;
     const seen: { patch: number; count: number; distance: number }[] = [];
     const wanted: { page: number; distance: number }[] = [];
     let blades = 0;
+    /** Adds the blades of a patch that are drawn at a share. */
+    const add = (p: number, share: number, nearest: number, isStored: boolean) => {
+      const at = p * patchWords;
+      const own = patches.bladeCount(p);
+      const low = f[at + patchWord.rankLow];
+      const high = f[at + patchWord.rankHigh];
+      if (own === 0 || share <= low) return;
+      const thick = share >= high ? own : Math.ceil(((share - low) / (high - low)) * own) + 1;
+      // The ribbons of the last plant, too.
+      const count = Math.min(thick + this.ribbons, own);
+      const begin = patches.firstBlade(p);
+      if (isStored && !this.field.has(begin, count)) {
+        for (const page of pagesOf(begin, count))
+          if (this.field.isMissing(page)) wanted.push({ page, distance: nearest * (1 + low) });
+        return;
+      }
+      if (blades + count > most) return;
+      blades += count;
+      seen.push({ patch: p, count, distance: nearest });
+    };
     let end = 0;
-    if (patches.count > 0) this.queue[end++] = 0;
+    if (this.field.patches.count > 0) this.queue[end++] = 0;
     for (let next = 0; next < end; ++next) {
       const p = this.queue[next];
-      const at = p * patchWords;
-      const nearest = this.distance(view, at);
-      if (this.isOutside(view, p, nearest)) continue;
+      const nearest = this.distance(view, p * patchWords);
+      if (this.isOutside(view, p, nearest, this.widest[p])) continue;
       const share = this.shareAt(view, nearest);
       if (share > this.rankBelow[p]) {
         const first = patches.firstChild(p);
         for (let i = 0; i < patches.childCount(p); ++i) this.queue[end++] = first + i;
       }
-      const own = patches.bladeCount(p);
-      const low = f[at + patchWord.rankLow];
-      const high = f[at + patchWord.rankHigh];
-      if (own === 0 || share <= low) continue;
-      const thick = share >= high ? own : Math.ceil(((share - low) / (high - low)) * own) + 1;
-      // The ribbons of the last plant, too.
-      const count = Math.min(thick + this.ribbons, own);
-      const begin = patches.firstBlade(p);
-      if (!this.field.has(begin, count)) {
-        for (const page of pagesOf(begin, count))
-          if (this.field.isMissing(page)) wanted.push({ page, distance: nearest * (1 + low) });
-        continue;
-      }
-      if (blades + count > most) continue;
-      blades += count;
-      seen.push({ patch: p, count, distance: nearest });
+      add(p, share, nearest, true);
     }
+    const widestOf = (p: number) =>
+      f[p * patchWords + patchWord.widthLow] + 63 * f[p * patchWords + patchWord.widthStep];
+    sowing?.walk(
+      (whole) => !this.isOutside(view, whole, this.distance(view, whole * patchWords), widestOf(whole)),
+      (p) => {
+        const nearest = this.distance(view, p * patchWords);
+        const share = this.shareAt(view, nearest);
+        if (share <= f[p * patchWords + patchWord.rankLow]) return;
+        if (!this.isOutside(view, p, nearest, widestOf(p))) add(p, share, nearest, false);
+      },
+    );
     // Near blades first: what they hide is not lit.
     seen.sort((a, b) => a.distance - b.distance);
     const lists: number[][] = classes.map(() => []);
@@ -184,11 +222,11 @@ function* pagesOf(first: number, count: number): Generator<number> {
 }
 
 /** Mean width of a field's blades [m], from the middle of each patch's range. */
-export function meanBladeWidth(patches: Patches): number {
+export function meanBladeWidth(patches: Patches, patchCount = patches.count): number {
   const f = patches.floats;
   let width = 0;
   let count = 0;
-  for (let p = 0; p < patches.count; ++p) {
+  for (let p = 0; p < patchCount; ++p) {
     const own = patches.bladeCount(p);
     width += own * (f[p * patchWords + patchWord.widthLow] + 31.5 * f[p * patchWords + patchWord.widthStep]);
     count += own;
