@@ -145,6 +145,7 @@ function translate() {
 const stages = [
   "move.vert", "move.frag", "pose.vert", "blade.vert", "blade.frag", "ground.vert", "ground.frag", "sky.vert",
   "sky.frag", "film.vert", "film.frag", "sun.vert", "blade_shadow.vert", "blade_shadow.frag", "nothing.frag",
+  "host_blade.frag", "host_ground.frag",
 ];
 
 const head =

@@ -2034,7 +2034,7 @@ var Field = class _Field {
   }
 };
 async function readField(file, name = "field") {
-  const bytes = file instanceof Uint8Array ? file : new Uint8Array(file);
+  const bytes = file instanceof Uint8Array ? new Uint8Array(file.buffer, file.byteOffset, file.length) : new Uint8Array(file);
   const field = await Field.open(await Container.open(new BufferSource(name, bytes)));
   await field.loadAll();
   await field.verifyRest();
@@ -2081,6 +2081,8 @@ __export(shaders_exports, {
   filmVert: () => filmVert,
   groundFrag: () => groundFrag,
   groundVert: () => groundVert,
+  hostBladeFrag: () => hostBladeFrag,
+  hostGroundFrag: () => hostGroundFrag,
   moveFrag: () => moveFrag,
   moveVert: () => moveVert,
   nothingFrag: () => nothingFrag,
@@ -2271,7 +2273,7 @@ var pieces = [
   // shaders/blade/blade_light.glsl
   "#else\nIncoming incomingAt(vec3 position, vec3 up, vec3 n, vec2 open)\n{\nreturn incomingFromSky(n, open);\n}\n#endif\nconst float fleckEdge = 0.15;\nfloat fleckAt(uint key, float mean)\n{\nfloat chance = float(mixUint(key) >> 8u) * (1.0 / 16777216.0);\nreturn clamp((mean - chance) / (2.0 * fleckEdge) + 0.5, 0.0, 1.0);\n}\nfloat fleckOf(BladePoint point, float mean, float distance)\n{\nfloat pixels = FRAME.view.pixelsPerUnit * fleckLength() / distance;\nfloat seen = smoothstep(1.0, 4.0, pixels);\nif (seen <= 0.0)\nreturn mean;\nfloat at = point.place.y * point.flecks + float(point.seed & 255u) * (1.0 / 256.0);\nuint key = point.seed + uint(at) * 0x9e3779b9u;\nfloat fleck = mix(fleckAt(key, mean), fleckAt(key + 0x9e3779b9u, mean), smoothstep(0.25, 0.75, fract(at)));\nreturn mix(mean, fleck, seen);\n}\nstruct LitPoint {\nvec3 normal;\nvec3 albedo;\nfloat risen;\nfloat sunlit;\n};\nLitPoint litPoint(BladePoint point, vec3 toEye, float distance)\n{\nfloat along = point.place.y;\nvec3 n = bladeNormal(point, toEye, distance);\nuint finish = finishIn(point.finish);\nvec3 albedo = mix(point.rootColor.rgb, point.tipColor.rgb, tipShareAt(along));\nbool isPlain = debugMode() != debugNothing;\nif (!isPlain)\nalbedo *= toneAlong(finish, along, point.seed);\nfloat turned = dot(toEye, point.axis);\nfloat wide = pixelsIn(point.finish) * sqrt(max(1.0 - turned * turned, 0.0));\nif (!isPlain && wide > 4.0) {\nVeins veins = veinsAt(finish, point.place, wide, point.seed);\nalbedo *= veins.tone;\nn = normalize(n + veins.slope * point.axis);\n}\nfloat risen = mix(point.rootColor.w, point.tipColor.w, along);\nvec2 among = sunAmongBlades(FRAME.bladeShadow, point.position, point.seed);\nfloat passed = among.x;\nif (among.y < 1.0)\npassed = mix(fleckOf(point, sunBelow(leafProjectionOf(FRAME.cover), point.leafAbove, dot(point.up, FRAME.sunDirection)),\ndistance),\npassed, among.y);\nreturn LitPoint(n, albedo, risen, point.look.x * risen * passed);\n}\nBladePoint ontoBlade(BladePoint point)\n{\npoint.place = clamp(point.place, vec2(-1.0, 0.0), vec2(1.0));\nreturn point;\n}\nvec3 bladePicture(BladePoint point)\n{\npoint = ontoBlade(point);\nfloat along = point.place.y;\nfloat openSky = point.look.x;\nfloat translucency = point.look.y;\nfloat gloss = point.look.z;\nvec3 sun = FRAME.sunDirection;\nvec3 ray = FRAME.view.eye - point.position;\nfloat distance = length(ray);\nif (showsBands()) {\nuint band = distanceBand(distance, FRAME.view.drawDistance);\nuint channel = band - 3u * (debugMode() - debugNear);\nreturn vec3(channel == 0u, channel == 1u, channel == 2u);\n}\nvec3 toEye = ray / max(distance, 1e-6);\nLitPoint lit = litPoint(point, toEye, distance);\nvec3 n = lit.normal;\nvec3 albedo = lit.albedo;\nfloat risen = lit.risen;\nfloat sunlit = lit.sunlit;\nfloat leafArea = point.leafAbove;\nfloat upright = dot(point.up, sun);\nfloat openBelow = skyBelow(point.leafBelow);\nfloat openAbove = openSky * skyBelow(leafArea);\nIncoming incoming = incomingAt(point.position, point.up, n, vec2(openAbove, openSky * openBelow));\nvec3 through = throughBlade(translucency);\nvec3 light = incoming.around + through * incoming.behind +\nopenSky * (1.0 + through) * lightAmongLeaves(leafArea, 1.0 - openBelow, upright, risen * incoming.sun,\nincoming.above, albedo * (1.0 + through));\nScattering scattering = scatteringOf(sun, n);\nlight += incoming.sun * (sunlit * (scattering.diffuse + through * scattering.through));\nvec3 color = albedo * light;\nfloat coat = gloss * along;\nif (coat > 0.0) {\nfloat towards = dot(n, toEye);\nfloat mirrored = coat * coatAlbedo(towards);\nfloat upwards = 0.5 + towards * dot(n, FRAME.skyUp) - 0.5 * dot(toEye, FRAME.skyUp);\ncolor += mirrored * (openAbove * upwards * incoming.mirrored - color);\ncolor += (coat * sunlit * coatShine(n, point.tangent, sun, toEye)) * incoming.sun;\n}\n#ifdef HOST_LIGHT\nif (hasHostLight)\ncolor += lampLight(point, n, toEye, albedo, leafArea);\n#endif\nif (debugMode() != debugNothing)\ncolor = albedo * (0.25 + 0.75 * along) * (0.6 + 0.4 * max(scattering.facing, 0.0));\nelse\ncolor = throughAir(color, -toEye, distance);\nreturn develop(color);\n}\n#endif\n",
   // web/shaders/blade.frag
-  "in vec3 outPosition;\nin vec4 outPlace;\nflat in uvec4 outSurface;\nflat in uvec4 outFrame;\nflat in uvec3 outBend;\nuniform uint samples;\nuniform uint sampleOfPixel;\nlayout(location = 0) out vec4 outColor;\nvoid main()\n{\nuint seed = outBend.z & 0xffffu;\nuint kept = keptSamples(outPlace.z / max(outPlace.w, 1e-12), seed, samples);\nif (((kept >> sampleOfPixel) & 1u) == 0u)\ndiscard;\nvec2 middle = unpackHalf2x16(outSurface.y);\nvec4 bytes = unpackUnorm4x8(outSurface.w);\nvec2 shade = unpackHalf2x16(outFrame.x);\nvec2 bent = unpackHalf2x16(outFrame.w);\nfloat along = clamp(outPlace.y, 0.0, 1.0);\nBladePoint point;\npoint.position = outPosition;\npoint.place = outPlace.xy;\npoint.axis = decodeWideOctahedral(outFrame.y);\npoint.up = decodeWideOctahedral(outFrame.z);\npoint.fold = bent.x;\npoint.tangent = normalize(mix(point.up, bent.y * decodeWideOctahedral(outBend.x), along));\npoint.rootColor = vec4(unpackHalf2x16(outSurface.x), middle.x, bytes.w);\npoint.tipColor = vec4(middle.y, unpackHalf2x16(outSurface.z), shade.y);\npoint.look = bytes.xyz;\npoint.leafAbove = leafAreaAbove(vec4(0.0, shade.x, float(outBend.y & 0xffffffu), 0.0), along);\npoint.leafBelow = max(shade.x - point.leafAbove, 0.0);\npoint.seed = seed;\npoint.finish = float(outBend.z >> 16u);\npoint.flecks = float(outBend.y >> 24u);\noutColor = vec4(bladePicture(point), 1.0 - softness(length(FRAME.view.eye - outPosition), 1.0));\n}\n",
+  "in vec3 outPosition;\nin vec4 outPlace;\nflat in uvec4 outSurface;\nflat in uvec4 outFrame;\nflat in uvec3 outBend;\nuniform uint samples;\nuniform uint sampleOfPixel;\nlayout(location = 0) out vec4 outColor;\nvoid main()\n{\nuint seed = outBend.z & 0xffffu;\nuint kept = keptSamples(outPlace.z / max(outPlace.w, 1e-12), seed, samples);\nif (((kept >> sampleOfPixel) & 1u) == 0u)\ndiscard;\nvec2 middle = unpackHalf2x16(outSurface.y);\nvec4 bytes = unpackUnorm4x8(outSurface.w);\nvec2 shade = unpackHalf2x16(outFrame.x);\nvec2 bent = unpackHalf2x16(outFrame.w);\nfloat along = clamp(outPlace.y, 0.0, 1.0);\nBladePoint point;\npoint.position = outPosition;\npoint.place = outPlace.xy;\npoint.axis = decodeWideOctahedral(outFrame.y);\npoint.up = decodeWideOctahedral(outFrame.z);\npoint.fold = bent.x;\npoint.tangent = normalize(mix(point.up, bent.y * decodeWideOctahedral(outBend.x), along));\npoint.rootColor = vec4(unpackHalf2x16(outSurface.x), middle.x, bytes.w);\npoint.tipColor = vec4(middle.y, unpackHalf2x16(outSurface.z), shade.y);\npoint.look = bytes.xyz;\npoint.leafAbove = leafAreaAbove(vec4(0.0, shade.x, float(outBend.y & 0xffffffu), 0.0), along);\npoint.leafBelow = max(shade.x - point.leafAbove, 0.0);\npoint.seed = seed;\npoint.finish = float(outBend.z >> 16u);\npoint.flecks = float(outBend.y >> 24u);\n#ifdef IN_HOST\noutColor = vec4(forHost(bladePicture(point)), 1.0);\n#else\noutColor = vec4(bladePicture(point), 1.0 - softness(length(FRAME.view.eye - outPosition), 1.0));\n#endif\n}\n",
   // shaders/shared/ground.h
   "#ifndef SWARD_SHARED_GROUND_H\n#define SWARD_SHARED_GROUND_H\n",
   // shaders/shared/ground.h
@@ -2291,7 +2293,7 @@ var pieces = [
   // shaders/preview/image_probes.glsl
   "#ifndef SWARD_PREVIEW_IMAGE_PROBES_GLSL\n#define SWARD_PREVIEW_IMAGE_PROBES_GLSL\nconst float maxProbes = 8.0;\nstruct ImageProbes {\nvec2 first;\nvec2 step;\nuint count;\nfloat lod;\n};\nImageProbes imageProbes(vec2 uv, vec2 right, vec2 down, vec2 size)\n{\nfloat across = length(right * size);\nfloat along = length(down * size);\nfloat longest = max(across, along);\nfloat ratio = longest > 1.0 ? longest / max(min(across, along), 1e-6) : 1.0;\nfloat count = clamp(ceil(ratio), 1.0, maxProbes);\nImageProbes probes;\nprobes.step = (across > along ? right : down) / (count + 1.0);\nprobes.first = uv - 0.5 * (count - 1.0) * probes.step;\nprobes.count = uint(count);\nprobes.lod = log2(max(longest / count, 1e-6));\nreturn probes;\n}\n#endif\n",
   // web/shaders/ground.frag
-  "uniform sampler2D baseColor;\nuniform vec3 materialColor;\nuniform bool isDoubleSided;\nin vec3 outPosition;\nin vec3 outNormal;\nin vec2 outUv;\nin vec4 outVertexColor;\nlayout(location = 0) out vec4 outColor;\nvoid main()\n{\nImageProbes probes = imageProbes(outUv, dFdx(outUv), dFdy(outUv), vec2(textureSize(baseColor, 0)));\nvec3 texel = vec3(0.0);\nfor (uint i = 0u; i < probes.count; ++i)\ntexel += textureLod(baseColor, probes.first + float(i) * probes.step, probes.lod).rgb;\nGroundPoint point;\npoint.position = outPosition;\npoint.normal = outNormal;\npoint.albedo = materialColor * (texel / float(probes.count)) * outVertexColor.rgb;\npoint.isDoubleSided = isDoubleSided;\noutColor = groundPicture(point);\n}\n",
+  "uniform sampler2D baseColor;\nuniform vec3 materialColor;\nuniform bool isDoubleSided;\nin vec3 outPosition;\nin vec3 outNormal;\nin vec2 outUv;\nin vec4 outVertexColor;\nlayout(location = 0) out vec4 outColor;\nvoid main()\n{\nImageProbes probes = imageProbes(outUv, dFdx(outUv), dFdy(outUv), vec2(textureSize(baseColor, 0)));\nvec3 texel = vec3(0.0);\nfor (uint i = 0u; i < probes.count; ++i)\ntexel += textureLod(baseColor, probes.first + float(i) * probes.step, probes.lod).rgb;\nGroundPoint point;\npoint.position = outPosition;\npoint.normal = outNormal;\npoint.albedo = materialColor * (texel / float(probes.count)) * outVertexColor.rgb;\npoint.isDoubleSided = isDoubleSided;\n#ifdef IN_HOST\noutColor = vec4(forHost(groundPicture(point).rgb), 1.0);\n#else\noutColor = groundPicture(point);\n#endif\n}\n",
   // shaders/common/view_ray.glsl
   "#ifndef SWARD_COMMON_VIEW_RAY_GLSL\n#define SWARD_COMMON_VIEW_RAY_GLSL\n",
   // shaders/common/view_ray.glsl
@@ -2319,7 +2321,13 @@ var pieces = [
   // web/shaders/blade_shadow.frag
   "flat in uint outSeed;\nin float outDepth;\nlayout(location = 0) out uvec2 texel;\nvoid main()\n{\ntexel = uvec2(outSeed, floatBitsToUint(outDepth));\n}\n",
   // web/shaders/nothing.frag
-  "void main()\n{\n}\n"
+  "void main()\n{\n}\n",
+  // web/shaders/host_blade.frag
+  "#define IN_HOST\n",
+  // web/shaders/host.glsl
+  "#ifndef SWARD_WEB_HOST_GLSL\n#define SWARD_WEB_HOST_GLSL\nuniform bool isLinear;\nvec3 forHost(vec3 color)\n{\ncolor = clamp(color, 0.0, 1.0);\nif (isLinear)\nreturn color;\nreturn mix(12.92 * color, 1.055 * pow(color, vec3(1.0 / 2.4)) - 0.055, greaterThan(color, vec3(0.0031308)));\n}\n#endif\n",
+  // web/shaders/host_ground.frag
+  "#define IN_HOST\n"
 ];
 var head = "#version 300 es\nprecision highp float;\nprecision highp int;\nprecision highp sampler2D;\nprecision highp usampler2D;\n";
 var stage = (...numbers) => head + numbers.map((i) => pieces[i]).join("");
@@ -2338,6 +2346,8 @@ var sunVert = stage(1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15, 16, 17, 1
 var bladeShadowVert = stage(81, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15, 16, 17, 18, 19, 20, 21, 22, 23, 24, 25, 26, 27, 28, 29, 30, 31, 32, 33, 34, 35, 36, 37, 38, 39, 40, 41, 42, 49, 50, 82, 83, 84, 112);
 var bladeShadowFrag = stage(113);
 var nothingFrag = stage(114);
+var hostBladeFrag = stage(115, 116, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15, 16, 17, 18, 19, 20, 21, 22, 23, 24, 25, 26, 27, 28, 29, 30, 31, 32, 33, 34, 35, 36, 37, 38, 39, 40, 41, 42, 86, 55, 56, 57, 58, 59, 60, 61, 62, 63, 64, 65, 66, 67, 45, 46, 68, 69, 77, 78, 87, 88, 89, 49, 50, 90);
+var hostGroundFrag = stage(117, 116, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15, 16, 17, 18, 19, 20, 21, 22, 23, 24, 25, 26, 27, 28, 29, 30, 31, 32, 33, 34, 35, 36, 37, 38, 39, 40, 41, 42, 94, 95, 56, 57, 58, 59, 60, 61, 62, 63, 64, 65, 66, 67, 45, 46, 68, 91, 92, 96, 97, 48, 49, 50, 51, 98, 99, 100);
 
 // src/sow/pages.ts
 var sownPageBlades = 2048;
@@ -2609,6 +2619,31 @@ function leafAreaAt(cover, place) {
 }
 var leafProjectionOf = (cover) => fromHalf(cover.leaves[0] & 65535);
 
+// src/render/block.ts
+var Block = class {
+  constructor(layout, size2) {
+    this.layout = layout;
+    this.bytes = new ArrayBuffer(size2);
+    this.asFloats = new Float32Array(this.bytes);
+    this.asWords = new Uint32Array(this.bytes);
+  }
+  layout;
+  bytes;
+  asFloats;
+  asWords;
+  floats(path, values) {
+    this.asFloats.set(values, this.at(path));
+  }
+  words(path, values) {
+    this.asWords.set(values, this.at(path));
+  }
+  at(path) {
+    const offset = this.layout[path];
+    if (offset === void 0) throw new Error(`the block has no member ${path}`);
+    return offset / 4;
+  }
+};
+
 // src/render/light.ts
 var usualLight = {
   sunDirection: unit([0.72, 0.62, -0.42]),
@@ -2691,228 +2726,6 @@ function skyUpOf(direction, attractor, blend, eye) {
     scaled(direction, -1)
   );
 }
-
-// src/render/exposure.ts
-var exposedGrey = 0.163;
-var exposedBright = 1.6;
-var meadowBrightness = 0.6;
-var adaptation = 0.5;
-var usualGround = 0.2;
-var fewBlades = 0.05;
-var groundSamples = 2e4;
-var samplesOfTriangle = 256;
-var mayClip = 0.01;
-var skyExtinction = 1.2;
-var lowestSun = 0.1;
-var luminance = (c) => 0.2126 * c[0] + 0.7152 * c[1] + 0.0722 * c[2];
-var linear = (s) => s <= 0.04045 ? s / 12.92 : ((s + 0.055) / 1.055) ** 2.4;
-var undergrowthBelow = (leafArea) => 1 - Math.exp(-0.65 * leafArea);
-function lightBelow(cover, leafArea, facing) {
-  const upwards = leafProjectionOf(cover);
-  const risen = Math.max(facing, lowestSun);
-  const beside = 0.637 * Math.sqrt(Math.max(1 - 1.9 * upwards * upwards, 0));
-  const along = Math.hypot(upwards * risen, beside * Math.sqrt(Math.max(1 - risen * risen, 0)));
-  const sun = facing * Math.exp(-along * leafArea / risen);
-  const sky = 1.25 * Math.exp(-skyExtinction * leafArea);
-  return [0, 1, 2].map((i) => sun * usualLight.sunColor[i] + sky * usualLight.skyColor[i]);
-}
-function placesOf(ground, cover) {
-  const view = new DataView(ground.vertices.buffer, ground.vertices.byteOffset, ground.vertices.length);
-  const float = (vertex, word) => view.getFloat32(groundVertexBytes * vertex + 4 * word, true);
-  const position = (v) => [float(v, 0), float(v, 1), float(v, 2)];
-  const color = (v) => [0, 1, 2].map((i) => view.getUint8(groundVertexBytes * v + 24 + i) / 255);
-  const ranges = ground.ranges.filter((range) => range.level === 0);
-  const triangles = ranges.reduce((sum, range) => sum + range.indexCount / 3, 0);
-  const stride = Math.max(Math.floor(triangles / groundSamples), 1);
-  const each2 = clamp(Math.floor(groundSamples / Math.max(triangles, 1)), 1, samplesOfTriangle);
-  const places = [];
-  for (const range of ranges) {
-    const material = ground.materials[range.material];
-    for (let i = 0; i < range.indexCount / 3; i += stride) {
-      const corners = [0, 1, 2].map((k) => ground.indices[range.firstIndex + 3 * i + k]);
-      const [a, b, c] = corners.map(position);
-      const area = 0.5 * stride * size(cross(sub(b, a), sub(c, a))) / each2;
-      for (let k = 0; k < each2; ++k) {
-        const n = places.length;
-        let p = (0.5 + n * 0.7548776662466927) % 1;
-        let q = (0.5 + n * 0.569840290998053) % 1;
-        if (p + q > 1) [p, q] = [1 - p, 1 - q];
-        const w = [1 - p - q, p, q];
-        const mixed = (values) => values[0].map((_, j) => w[0] * values[0][j] + w[1] * values[1][j] + w[2] * values[2][j]);
-        const vertex = mixed(corners.map(color));
-        const albedo = [0, 1, 2].map((j) => material.baseColor[j] * vertex[j]);
-        const image = ground.images[material.image];
-        if (image) {
-          const uv = mixed(corners.map((v) => [float(v, 4), float(v, 5)]));
-          const x = Math.min(Math.floor((uv[0] - Math.floor(uv[0])) * image.width), image.width - 1);
-          const y = Math.min(Math.floor((uv[1] - Math.floor(uv[1])) * image.height), image.height - 1);
-          for (let j = 0; j < 3; ++j) albedo[j] *= linear(image.pixels[4 * (y * image.width + x) + j] / 255);
-        }
-        const place = mixed([a, b, c]);
-        places.push({ color: albedo, area, leafArea: cover.thinned * leafAreaAt(cover, place) });
-      }
-    }
-  }
-  return places;
-}
-function chosenExposure(ground, cover, hasBlades) {
-  const cosine = usualLight.sunDirection[1];
-  const times = (a, b) => [a[0] * b[0], a[1] * b[1], a[2] * b[2]];
-  const leaves = hasBlades ? luminance(times(cover.sward, lightBelow(cover, 0, cosine))) : 0;
-  let area = 0;
-  let open = 0;
-  let bare = 0;
-  let stops = 0;
-  const facing = [];
-  for (const place of placesOf(ground, cover)) {
-    const under = undergrowthBelow(place.leafArea);
-    const share = 1 - under;
-    const color = place.color.map((c, i) => c * share + cover.undergrowth[i] * under);
-    const level = luminance(times(color, lightBelow(cover, place.leafArea, cosine)));
-    area += place.area;
-    open += share * place.area;
-    bare += place.area * luminance(times(place.color, lightBelow(cover, 0, cosine)));
-    if (leaves > 0) stops += share * place.area * Math.log(Math.max(level / leaves, 1));
-    facing.push({
-      radiance: Math.max(...times(color, lightBelow(cover, place.leafArea, 1))),
-      area: share * place.area
-    });
-  }
-  facing.sort((a, b) => b.radiance - a.radiance);
-  let brightest = 0;
-  let above = 0;
-  for (const one of facing) {
-    above += one.area;
-    if (above < mayClip * area) continue;
-    brightest = one.radiance;
-    break;
-  }
-  const seen = area > 0 ? { share: open / area, mean: bare / area, stops: stops / area } : { share: 0, mean: 0, stops: 0 };
-  let mean = seen.mean > usualGround ? Math.sqrt(seen.mean * usualGround) : seen.mean;
-  let raised = 0;
-  if (leaves > 0) {
-    const meadow = Math.min((1 - seen.share) / fewBlades, 1);
-    mean = (meadowBrightness * leaves) ** meadow * Math.max(mean, 1e-6) ** (1 - meadow);
-    raised = meadow * adaptation * seen.stops;
-  }
-  const wanted = mean > 0 ? exposedGrey / mean * Math.exp(-raised) : 1;
-  const allowed = brightest > 0 ? exposedBright / brightest : 4;
-  return clamp(Math.min(wanted, allowed), 0.25, 4);
-}
-
-// src/render/floor.ts
-var noFloor = {
-  middle: [0, 0, 0],
-  reach: 0,
-  along: [1, 0, 0],
-  height: 0,
-  halfSides: [1, 1],
-  cornerRadius: 0
-};
-var Extent = class {
-  low = Infinity;
-  high = -Infinity;
-  add(value) {
-    this.low = Math.min(this.low, value);
-    this.high = Math.max(this.high, value);
-  }
-  get length() {
-    return Math.max(this.high - this.low, 0);
-  }
-  get middle() {
-    return 0.5 * (this.low + this.high);
-  }
-};
-function isSheet(ground, floats, up) {
-  let above = 0;
-  let below = 0;
-  const at = (v) => [floats[7 * v], floats[7 * v + 1], floats[7 * v + 2]];
-  for (const range of ground.ranges) {
-    if (range.level !== 0) continue;
-    for (let i = range.firstIndex; i + 2 < range.firstIndex + range.indexCount; i += 3) {
-      const a = at(ground.indices[i]);
-      const area = dot(cross(sub(at(ground.indices[i + 1]), a), sub(at(ground.indices[i + 2]), a)), up);
-      if (area > 0) above += area;
-      else below -= area;
-    }
-  }
-  return Math.max(above, below) >= 0.8 * (above + below);
-}
-function floorOf(ground, up) {
-  const s = up.map(Math.abs);
-  const side = s[0] <= Math.min(s[1], s[2]) ? [1, 0, 0] : [0, 0, 1];
-  const alongAxis = unit(sub(side, scaled(up, dot(side, up))));
-  const acrossAxis = cross(up, alongAxis);
-  const floats = new Float32Array(ground.vertices.buffer, ground.vertices.byteOffset, ground.vertices.length / 4);
-  const along = new Extent();
-  const across = new Extent();
-  const above = new Extent();
-  const place = (v) => {
-    const p = [floats[7 * v], floats[7 * v + 1], floats[7 * v + 2]];
-    return [dot(p, alongAxis), dot(p, acrossAxis), dot(p, up)];
-  };
-  for (let v = 0; v < ground.vertexCount; ++v) {
-    const [x, z, y] = place(v);
-    along.add(x);
-    across.add(z);
-    above.add(y);
-  }
-  const half = 0.5 * Math.hypot(along.length, across.length);
-  if (ground.vertexCount === 0 || !(half > 0)) return noFloor;
-  const foot = new Extent();
-  const footAcross = new Extent();
-  const rim = new Extent();
-  let farthest2 = 0;
-  const sides = [Math.max(0.5 * along.length, 1e-6), Math.max(0.5 * across.length, 1e-6)];
-  for (let v = 0; v < ground.vertexCount; ++v) {
-    const [x, z, y] = place(v);
-    const a = Math.abs((x - along.middle) / sides[0]);
-    const b = Math.abs((z - across.middle) / sides[1]);
-    farthest2 = Math.max(farthest2, Math.hypot(a, b));
-    if (Math.max(a, b) >= 0.95) rim.add(y);
-    if (y > above.low + 0.02 * above.length) continue;
-    foot.add(x);
-    footAcross.add(z);
-  }
-  const sheet = isSheet(ground, floats, up);
-  const stands = foot.length >= 0.6 * along.length && footAcross.length >= 0.6 * across.length;
-  if (!stands && !sheet) return noFloor;
-  const level = sheet ? rim.low : above.low;
-  const root = Math.SQRT2;
-  return {
-    middle: add(add(scaled(alongAxis, along.middle), scaled(acrossAxis, across.middle)), scaled(up, level)),
-    reach: 2.5 * half,
-    along: alongAxis,
-    height: 0.5 * (above.high - level),
-    halfSides: sides,
-    cornerRadius: Math.min(...sides) * clamp((root - farthest2) / (root - 1), 0, 1)
-  };
-}
-
-// src/render/block.ts
-var Block = class {
-  constructor(layout, size2) {
-    this.layout = layout;
-    this.bytes = new ArrayBuffer(size2);
-    this.asFloats = new Float32Array(this.bytes);
-    this.asWords = new Uint32Array(this.bytes);
-  }
-  layout;
-  bytes;
-  asFloats;
-  asWords;
-  floats(path, values) {
-    this.asFloats.set(values, this.at(path));
-  }
-  words(path, values) {
-    this.asWords.set(values, this.at(path));
-  }
-  at(path) {
-    const offset = this.layout[path];
-    if (offset === void 0) throw new Error(`the block has no member ${path}`);
-    return offset / 4;
-  }
-};
 
 // src/render/wind.ts
 var eddyDrift = [0.48, 0.57, 0.67];
@@ -3343,51 +3156,281 @@ var Picture = class {
   }
 };
 
-// src/render/tables.ts
-var patchTexels = 7;
-var patchesOfRow = 256;
-function patchTexelsOf(patches, first, end, room = end - first) {
-  const texels = new Uint32Array(4 * patchTexels * room);
-  for (let p = first; p < end; ++p)
-    texels.set(patches.words.subarray(p * patchWords, (p + 1) * patchWords), 4 * patchTexels * (p - first));
-  return texels;
+// src/render/host.ts
+var rowOf = (m, i) => [m[i], m[4 + i], m[8 + i], m[12 + i]];
+function rowsOfProduct(a, b) {
+  return a.map((row) => [0, 1, 2, 3].map((c) => row.reduce((sum, x, k) => sum + x * b[4 * c + k], 0)));
 }
-function patchTable(gl, patches) {
-  const rows = Math.max(Math.ceil(patches.count / patchesOfRow), 1);
-  const width = patchTexels * patchesOfRow;
-  const texels = patchTexelsOf(patches, 0, patches.count, rows * patchesOfRow);
-  const texture = makeTexture(gl, gl.RGBA32UI, width, rows);
-  gl.texSubImage2D(gl.TEXTURE_2D, 0, 0, 0, width, rows, gl.RGBA_INTEGER, gl.UNSIGNED_INT, texels);
-  return texture;
+function hostView(input, height, usualLight2) {
+  const own = [0, 1, 2, 3].map((i) => rowOf(input.view, i));
+  const inEye = input.place ? rowsOfProduct(own, input.place) : own;
+  const axes = inEye.slice(0, 3).map((row) => row.slice(0, 3));
+  const eye = axes.reduce((sum, axis, i) => add(sum, scaled(axis, -inEye[i][3])), [0, 0, 0]);
+  const projection = [0, 1, 2, 3].map((i) => rowOf(input.projection, i));
+  const [x, y, z, w] = projection.map((row) => [0, 1, 2, 3].map((c) => row.reduce((sum, v, k) => sum + v * inEye[k][c], 0)));
+  const down = y.map((v) => -v);
+  const depth = w.map((v, i) => 0.5 * (v - z[i]));
+  const viewProjection = [];
+  for (let c = 0; c < 4; ++c) viewProjection.push(x[c], down[c], depth[c], w[c]);
+  const plane = (a, b, sign) => {
+    const sum = a.map((v, i) => v + sign * b[i]);
+    const length = Math.hypot(sum[0], sum[1], sum[2]) || 1;
+    return sum.map((v) => v / length);
+  };
+  const zero = [0, 0, 0, 0];
+  const focal = input.projection[5];
+  const forward = scaled(axes[2], -1);
+  const turn = (v) => input.place ? [0, 1, 2].map((c) => dot(v, [input.place[4 * c], input.place[4 * c + 1], input.place[4 * c + 2]])) : v;
+  return {
+    view: {
+      eye,
+      viewProjection,
+      planes: [plane(w, x, 1), plane(w, x, -1), plane(w, down, -1), plane(w, down, 1), plane(w, depth, -1), plane(depth, zero, 0)],
+      rays: [scaled(axes[0], 1 / input.projection[0]), scaled(axes[1], -1 / focal), forward],
+      pixelsPerUnit: 0.5 * focal * height
+    },
+    camera: { name: "host", eye, target: add(eye, forward), up: axes[1], fovYDeg: 360 / Math.PI * Math.atan(1 / focal) },
+    light: input.light ? { ...input.light, sunDirection: unit(turn(input.light.sunDirection)) } : usualLight2
+  };
 }
-function ribbonIndices(gl, segments, columns) {
-  const list = [];
-  for (let row = 0; row < segments; ++row)
-    for (let column = 0; column + 1 < columns; ++column) {
-      const first = row * columns + column;
-      const above = first + columns;
-      list.push(first, first + 1, above, above, first + 1, above + 1);
+function enterHost(gl) {
+  const state = {
+    framebuffer: gl.getParameter(gl.FRAMEBUFFER_BINDING),
+    viewport: gl.getParameter(gl.VIEWPORT)
+  };
+  for (const switchedOff of [
+    gl.BLEND,
+    gl.CULL_FACE,
+    gl.SCISSOR_TEST,
+    gl.STENCIL_TEST,
+    gl.POLYGON_OFFSET_FILL,
+    gl.SAMPLE_ALPHA_TO_COVERAGE,
+    gl.SAMPLE_COVERAGE,
+    gl.RASTERIZER_DISCARD
+  ])
+    gl.disable(switchedOff);
+  gl.enable(gl.DEPTH_TEST);
+  gl.depthFunc(gl.LEQUAL);
+  gl.depthMask(true);
+  gl.depthRange(0, 1);
+  gl.clearDepth(1);
+  gl.clearColor(0, 0, 0, 0);
+  gl.colorMask(true, true, true, true);
+  gl.cullFace(gl.BACK);
+  gl.frontFace(gl.CCW);
+  gl.bindBuffer(gl.PIXEL_UNPACK_BUFFER, null);
+  gl.pixelStorei(gl.UNPACK_FLIP_Y_WEBGL, 0);
+  gl.pixelStorei(gl.UNPACK_PREMULTIPLY_ALPHA_WEBGL, 0);
+  gl.pixelStorei(gl.UNPACK_ALIGNMENT, 4);
+  for (const skipped of [gl.UNPACK_ROW_LENGTH, gl.UNPACK_SKIP_ROWS, gl.UNPACK_SKIP_PIXELS]) gl.pixelStorei(skipped, 0);
+  for (let unit2 = 0; unit2 < 12; ++unit2) gl.bindSampler(unit2, null);
+  return state;
+}
+function leaveHost(gl, state) {
+  gl.bindVertexArray(null);
+  gl.bindBuffer(gl.ARRAY_BUFFER, null);
+  gl.useProgram(null);
+  gl.disable(gl.CULL_FACE);
+  gl.activeTexture(gl.TEXTURE0);
+  gl.bindFramebuffer(gl.FRAMEBUFFER, state.framebuffer);
+  gl.viewport(state.viewport[0], state.viewport[1], state.viewport[2], state.viewport[3]);
+}
+
+// src/render/exposure.ts
+var exposedGrey = 0.163;
+var exposedBright = 1.6;
+var meadowBrightness = 0.6;
+var adaptation = 0.5;
+var usualGround = 0.2;
+var fewBlades = 0.05;
+var groundSamples = 2e4;
+var samplesOfTriangle = 256;
+var mayClip = 0.01;
+var skyExtinction = 1.2;
+var lowestSun = 0.1;
+var luminance = (c) => 0.2126 * c[0] + 0.7152 * c[1] + 0.0722 * c[2];
+var linear = (s) => s <= 0.04045 ? s / 12.92 : ((s + 0.055) / 1.055) ** 2.4;
+var undergrowthBelow = (leafArea) => 1 - Math.exp(-0.65 * leafArea);
+function lightBelow(cover, leafArea, facing) {
+  const upwards = leafProjectionOf(cover);
+  const risen = Math.max(facing, lowestSun);
+  const beside = 0.637 * Math.sqrt(Math.max(1 - 1.9 * upwards * upwards, 0));
+  const along = Math.hypot(upwards * risen, beside * Math.sqrt(Math.max(1 - risen * risen, 0)));
+  const sun = facing * Math.exp(-along * leafArea / risen);
+  const sky = 1.25 * Math.exp(-skyExtinction * leafArea);
+  return [0, 1, 2].map((i) => sun * usualLight.sunColor[i] + sky * usualLight.skyColor[i]);
+}
+function placesOf(ground, cover) {
+  const view = new DataView(ground.vertices.buffer, ground.vertices.byteOffset, ground.vertices.length);
+  const float = (vertex, word) => view.getFloat32(groundVertexBytes * vertex + 4 * word, true);
+  const position = (v) => [float(v, 0), float(v, 1), float(v, 2)];
+  const color = (v) => [0, 1, 2].map((i) => view.getUint8(groundVertexBytes * v + 24 + i) / 255);
+  const ranges = ground.ranges.filter((range) => range.level === 0);
+  const triangles = ranges.reduce((sum, range) => sum + range.indexCount / 3, 0);
+  const stride = Math.max(Math.floor(triangles / groundSamples), 1);
+  const each2 = clamp(Math.floor(groundSamples / Math.max(triangles, 1)), 1, samplesOfTriangle);
+  const places = [];
+  for (const range of ranges) {
+    const material = ground.materials[range.material];
+    for (let i = 0; i < range.indexCount / 3; i += stride) {
+      const corners = [0, 1, 2].map((k) => ground.indices[range.firstIndex + 3 * i + k]);
+      const [a, b, c] = corners.map(position);
+      const area = 0.5 * stride * size(cross(sub(b, a), sub(c, a))) / each2;
+      for (let k = 0; k < each2; ++k) {
+        const n = places.length;
+        let p = (0.5 + n * 0.7548776662466927) % 1;
+        let q = (0.5 + n * 0.569840290998053) % 1;
+        if (p + q > 1) [p, q] = [1 - p, 1 - q];
+        const w = [1 - p - q, p, q];
+        const mixed = (values) => values[0].map((_, j) => w[0] * values[0][j] + w[1] * values[1][j] + w[2] * values[2][j]);
+        const vertex = mixed(corners.map(color));
+        const albedo = [0, 1, 2].map((j) => material.baseColor[j] * vertex[j]);
+        const image = ground.images[material.image];
+        if (image) {
+          const uv = mixed(corners.map((v) => [float(v, 4), float(v, 5)]));
+          const x = Math.min(Math.floor((uv[0] - Math.floor(uv[0])) * image.width), image.width - 1);
+          const y = Math.min(Math.floor((uv[1] - Math.floor(uv[1])) * image.height), image.height - 1);
+          for (let j = 0; j < 3; ++j) albedo[j] *= linear(image.pixels[4 * (y * image.width + x) + j] / 255);
+        }
+        const place = mixed([a, b, c]);
+        places.push({ color: albedo, area, leafArea: cover.thinned * leafAreaAt(cover, place) });
+      }
     }
-  const buffer2 = gl.createBuffer();
-  gl.bindVertexArray(null);
-  gl.bindBuffer(gl.ELEMENT_ARRAY_BUFFER, buffer2);
-  gl.bufferData(gl.ELEMENT_ARRAY_BUFFER, new Uint16Array(list), gl.STATIC_DRAW);
-  return buffer2;
+  }
+  return places;
 }
-function groundArrayOf(gl, field) {
-  const array = gl.createVertexArray();
-  gl.bindVertexArray(array);
-  gl.bindBuffer(gl.ARRAY_BUFFER, gl.createBuffer());
-  gl.bufferData(gl.ARRAY_BUFFER, field.ground.vertices, gl.STATIC_DRAW);
-  for (let i = 0; i < 4; ++i) gl.enableVertexAttribArray(i);
-  gl.vertexAttribPointer(0, 3, gl.FLOAT, false, groundVertexBytes, 0);
-  gl.vertexAttribIPointer(1, 1, gl.UNSIGNED_INT, groundVertexBytes, 12);
-  gl.vertexAttribPointer(2, 2, gl.FLOAT, false, groundVertexBytes, 16);
-  gl.vertexAttribPointer(3, 4, gl.UNSIGNED_BYTE, true, groundVertexBytes, 24);
-  gl.bindBuffer(gl.ELEMENT_ARRAY_BUFFER, gl.createBuffer());
-  gl.bufferData(gl.ELEMENT_ARRAY_BUFFER, field.ground.indices, gl.STATIC_DRAW);
-  gl.bindVertexArray(null);
-  return array;
+function chosenExposure(ground, cover, hasBlades) {
+  const cosine = usualLight.sunDirection[1];
+  const times = (a, b) => [a[0] * b[0], a[1] * b[1], a[2] * b[2]];
+  const leaves = hasBlades ? luminance(times(cover.sward, lightBelow(cover, 0, cosine))) : 0;
+  let area = 0;
+  let open = 0;
+  let bare = 0;
+  let stops = 0;
+  const facing = [];
+  for (const place of placesOf(ground, cover)) {
+    const under = undergrowthBelow(place.leafArea);
+    const share = 1 - under;
+    const color = place.color.map((c, i) => c * share + cover.undergrowth[i] * under);
+    const level = luminance(times(color, lightBelow(cover, place.leafArea, cosine)));
+    area += place.area;
+    open += share * place.area;
+    bare += place.area * luminance(times(place.color, lightBelow(cover, 0, cosine)));
+    if (leaves > 0) stops += share * place.area * Math.log(Math.max(level / leaves, 1));
+    facing.push({
+      radiance: Math.max(...times(color, lightBelow(cover, place.leafArea, 1))),
+      area: share * place.area
+    });
+  }
+  facing.sort((a, b) => b.radiance - a.radiance);
+  let brightest = 0;
+  let above = 0;
+  for (const one of facing) {
+    above += one.area;
+    if (above < mayClip * area) continue;
+    brightest = one.radiance;
+    break;
+  }
+  const seen = area > 0 ? { share: open / area, mean: bare / area, stops: stops / area } : { share: 0, mean: 0, stops: 0 };
+  let mean = seen.mean > usualGround ? Math.sqrt(seen.mean * usualGround) : seen.mean;
+  let raised = 0;
+  if (leaves > 0) {
+    const meadow = Math.min((1 - seen.share) / fewBlades, 1);
+    mean = (meadowBrightness * leaves) ** meadow * Math.max(mean, 1e-6) ** (1 - meadow);
+    raised = meadow * adaptation * seen.stops;
+  }
+  const wanted = mean > 0 ? exposedGrey / mean * Math.exp(-raised) : 1;
+  const allowed = brightest > 0 ? exposedBright / brightest : 4;
+  return clamp(Math.min(wanted, allowed), 0.25, 4);
+}
+
+// src/render/floor.ts
+var noFloor = {
+  middle: [0, 0, 0],
+  reach: 0,
+  along: [1, 0, 0],
+  height: 0,
+  halfSides: [1, 1],
+  cornerRadius: 0
+};
+var Extent = class {
+  low = Infinity;
+  high = -Infinity;
+  add(value) {
+    this.low = Math.min(this.low, value);
+    this.high = Math.max(this.high, value);
+  }
+  get length() {
+    return Math.max(this.high - this.low, 0);
+  }
+  get middle() {
+    return 0.5 * (this.low + this.high);
+  }
+};
+function isSheet(ground, floats, up) {
+  let above = 0;
+  let below = 0;
+  const at = (v) => [floats[7 * v], floats[7 * v + 1], floats[7 * v + 2]];
+  for (const range of ground.ranges) {
+    if (range.level !== 0) continue;
+    for (let i = range.firstIndex; i + 2 < range.firstIndex + range.indexCount; i += 3) {
+      const a = at(ground.indices[i]);
+      const area = dot(cross(sub(at(ground.indices[i + 1]), a), sub(at(ground.indices[i + 2]), a)), up);
+      if (area > 0) above += area;
+      else below -= area;
+    }
+  }
+  return Math.max(above, below) >= 0.8 * (above + below);
+}
+function floorOf(ground, up) {
+  const s = up.map(Math.abs);
+  const side = s[0] <= Math.min(s[1], s[2]) ? [1, 0, 0] : [0, 0, 1];
+  const alongAxis = unit(sub(side, scaled(up, dot(side, up))));
+  const acrossAxis = cross(up, alongAxis);
+  const floats = new Float32Array(ground.vertices.buffer, ground.vertices.byteOffset, ground.vertices.length / 4);
+  const along = new Extent();
+  const across = new Extent();
+  const above = new Extent();
+  const place = (v) => {
+    const p = [floats[7 * v], floats[7 * v + 1], floats[7 * v + 2]];
+    return [dot(p, alongAxis), dot(p, acrossAxis), dot(p, up)];
+  };
+  for (let v = 0; v < ground.vertexCount; ++v) {
+    const [x, z, y] = place(v);
+    along.add(x);
+    across.add(z);
+    above.add(y);
+  }
+  const half = 0.5 * Math.hypot(along.length, across.length);
+  if (ground.vertexCount === 0 || !(half > 0)) return noFloor;
+  const foot = new Extent();
+  const footAcross = new Extent();
+  const rim = new Extent();
+  let farthest2 = 0;
+  const sides = [Math.max(0.5 * along.length, 1e-6), Math.max(0.5 * across.length, 1e-6)];
+  for (let v = 0; v < ground.vertexCount; ++v) {
+    const [x, z, y] = place(v);
+    const a = Math.abs((x - along.middle) / sides[0]);
+    const b = Math.abs((z - across.middle) / sides[1]);
+    farthest2 = Math.max(farthest2, Math.hypot(a, b));
+    if (Math.max(a, b) >= 0.95) rim.add(y);
+    if (y > above.low + 0.02 * above.length) continue;
+    foot.add(x);
+    footAcross.add(z);
+  }
+  const sheet = isSheet(ground, floats, up);
+  const stands = foot.length >= 0.6 * along.length && footAcross.length >= 0.6 * across.length;
+  if (!stands && !sheet) return noFloor;
+  const level = sheet ? rim.low : above.low;
+  const root = Math.SQRT2;
+  return {
+    middle: add(add(scaled(alongAxis, along.middle), scaled(acrossAxis, across.middle)), scaled(up, level)),
+    reach: 2.5 * half,
+    along: alongAxis,
+    height: 0.5 * (above.high - level),
+    halfSides: sides,
+    cornerRadius: Math.min(...sides) * clamp((root - farthest2) / (root - 1), 0, 1)
+  };
 }
 
 // src/render/tree.ts
@@ -3566,116 +3609,7 @@ function meanBladeWidth(patches, patchCount = patches.count) {
   return count > 0 ? width / count : 0.01;
 }
 
-// src/render/renderer.ts
-var captured = ["recordV0", "recordV1", "recordV2", "recordSurface", "recordFrame", "recordBend"];
-var recordBytes = 16 * captured.length;
-var usualMax = 4e5;
-var Renderer = class {
-  /** `cover`: what `sward export` wrote into field.cover; without it blades do not shade one another. */
-  constructor(canvas, field, cover = noCover, sowing) {
-    this.canvas = canvas;
-    this.field = field;
-    this.sowing = sowing;
-    const gl = canvas.getContext("webgl2", {
-      antialias: false,
-      alpha: false,
-      depth: false,
-      powerPreference: "high-performance"
-    });
-    if (!gl) fail("unsupported", "this browser has no WebGL 2, or its graphics driver is blocked");
-    this.gl = gl;
-    this.tree = new PatchTree(field, sowing);
-    this.scene = sceneOf(field, sowing ? sownCover(cover, sowing.bladesPerStored) : cover, sowing?.patches);
-    this.restore();
-  }
-  canvas;
-  field;
-  sowing;
-  scene;
-  gl;
-  tree;
-  parts;
-  lodThreshold = frameSettings.lodThreshold;
-  /** Makes all that lies on the device, first or after the device was lost. */
-  restore() {
-    this.parts = new Parts(this.gl, this.field, this.scene, this.sowing);
-    this.sowing?.forget();
-  }
-  /** The sun as the viewer has it by default. */
-  get usualLight() {
-    const up = unit(scaled(this.field.defaults.gravity.direction, -1));
-    return { ...usualLight, sunDirection: turnedWith(up, usualLight.sunDirection) };
-  }
-  /** Draws a picture as large as the canvas. */
-  draw(input) {
-    const { canvas, field, scene, sowing } = this;
-    const view = viewOf(input.camera, field.origin, canvas.width, canvas.height, scene.content);
-    const frame = {
-      view,
-      camera: input.camera,
-      light: input.light ?? this.usualLight,
-      wind: input.wind ?? 1,
-      time: input.time,
-      shadowDistance,
-      lodThreshold: this.lodThreshold,
-      sparseFrom: 0,
-      sparseLeast: field.seeds?.meadow.stored ?? 0
-    };
-    const treeView = {
-      eye: view.eye,
-      planes: view.planes,
-      drawDistance: field.defaults.drawDistance,
-      pixelsPerUnit: view.pixelsPerUnit,
-      lodThreshold: this.lodThreshold,
-      lodWidth: scene.bladeWidth,
-      minWidth: minWidthOf(view),
-      sparseFrom: 0,
-      sparseLeast: frame.sparseLeast
-    };
-    const choose = () => {
-      frame.sparseFrom = treeView.sparseFrom = sowing ? this.sparseFrom(view) : 0;
-      treeView.lodThreshold = frame.lodThreshold = this.lodThreshold * (sowing?.thinning ?? 1);
-      return this.tree.groupsOf(treeView, Infinity);
-    };
-    if (sowing) {
-      choose();
-      sowing.update({ ...treeView, lodThreshold: this.lodThreshold });
-    }
-    this.parts.uploadPages();
-    const most = input.maxBlades ?? usualMax;
-    let groups = choose();
-    const usual = frameSettings.lodThreshold;
-    for (let i = 0; i < 12; ++i) {
-      const ratio = Math.sqrt(groups.blades / most);
-      if (ratio > 1.15) this.lodThreshold *= Math.min(ratio, 2);
-      else if (ratio < 0.7 && this.lodThreshold > usual)
-        this.lodThreshold = Math.max(this.lodThreshold * Math.max(1.2 * ratio, 0.5), usual);
-      else break;
-      groups = choose();
-    }
-    if (groups.blades > most) this.lodThreshold *= 1.02;
-    else if (groups.blades < 0.8 * most) this.lodThreshold = Math.max(this.lodThreshold / 1.02, usual);
-    const rows = shadowRows(view, input.camera, frame.light.sunDirection, frame.shadowDistance);
-    const casters = frame.light.sunColor[0] > 0 ? this.tree.groupsOf({ ...treeView, planes: shadowPlanes(rows), minWidth: 0 }, most, shadowClass) : void 0;
-    this.parts.draw(frame, groups, casters, shadowPlanes(rows), input.elapsed, canvas.width, canvas.height, input.isFine ?? false);
-    return { blades: groups.blades, missing: groups.missing };
-  }
-  /** Distance beyond which a sown field is drawn sparsely: frameOf() of src/render/frame/frame.cpp. */
-  sparseFrom(view) {
-    const { low, high } = this.scene.content;
-    const gap = [0, 1, 2].map((i) => Math.max(low[i] - view.eye[i], view.eye[i] - high[i], 0));
-    const full = this.scene.bladeWidth * view.pixelsPerUnit / this.lodThreshold;
-    return this.sowing.sparseDistance(low, high, full, size(gap));
-  }
-  /** Records of the blades that the last draw() posed; 24 words each. For tests. */
-  readRecords() {
-    return this.parts.readRecords();
-  }
-  get isLost() {
-    return this.gl.isContextLost();
-  }
-};
-var shadowDistance = 8;
+// src/render/scene.ts
 function boxOf(field) {
   const ground = { low: [Infinity, Infinity, Infinity], high: [-Infinity, -Infinity, -Infinity] };
   const vertices = field.ground.vertices;
@@ -3707,6 +3641,193 @@ function sceneOf(field, cover, patches = field.patches) {
     exposure: chosenExposure(field.ground, cover, field.bladeCount > 0)
   };
 }
+
+// src/render/tables.ts
+var patchTexels = 7;
+var patchesOfRow = 256;
+function patchTexelsOf(patches, first, end, room = end - first) {
+  const texels = new Uint32Array(4 * patchTexels * room);
+  for (let p = first; p < end; ++p)
+    texels.set(patches.words.subarray(p * patchWords, (p + 1) * patchWords), 4 * patchTexels * (p - first));
+  return texels;
+}
+function patchTable(gl, patches) {
+  const rows = Math.max(Math.ceil(patches.count / patchesOfRow), 1);
+  const width = patchTexels * patchesOfRow;
+  const texels = patchTexelsOf(patches, 0, patches.count, rows * patchesOfRow);
+  const texture = makeTexture(gl, gl.RGBA32UI, width, rows);
+  gl.texSubImage2D(gl.TEXTURE_2D, 0, 0, 0, width, rows, gl.RGBA_INTEGER, gl.UNSIGNED_INT, texels);
+  return texture;
+}
+function ribbonIndices(gl, segments, columns) {
+  const list = [];
+  for (let row = 0; row < segments; ++row)
+    for (let column = 0; column + 1 < columns; ++column) {
+      const first = row * columns + column;
+      const above = first + columns;
+      list.push(first, first + 1, above, above, first + 1, above + 1);
+    }
+  const buffer2 = gl.createBuffer();
+  gl.bindVertexArray(null);
+  gl.bindBuffer(gl.ELEMENT_ARRAY_BUFFER, buffer2);
+  gl.bufferData(gl.ELEMENT_ARRAY_BUFFER, new Uint16Array(list), gl.STATIC_DRAW);
+  return buffer2;
+}
+function groundArrayOf(gl, field) {
+  const array = gl.createVertexArray();
+  gl.bindVertexArray(array);
+  gl.bindBuffer(gl.ARRAY_BUFFER, gl.createBuffer());
+  gl.bufferData(gl.ARRAY_BUFFER, field.ground.vertices, gl.STATIC_DRAW);
+  for (let i = 0; i < 4; ++i) gl.enableVertexAttribArray(i);
+  gl.vertexAttribPointer(0, 3, gl.FLOAT, false, groundVertexBytes, 0);
+  gl.vertexAttribIPointer(1, 1, gl.UNSIGNED_INT, groundVertexBytes, 12);
+  gl.vertexAttribPointer(2, 2, gl.FLOAT, false, groundVertexBytes, 16);
+  gl.vertexAttribPointer(3, 4, gl.UNSIGNED_BYTE, true, groundVertexBytes, 24);
+  gl.bindBuffer(gl.ELEMENT_ARRAY_BUFFER, gl.createBuffer());
+  gl.bufferData(gl.ELEMENT_ARRAY_BUFFER, field.ground.indices, gl.STATIC_DRAW);
+  gl.bindVertexArray(null);
+  return array;
+}
+
+// src/render/renderer.ts
+var captured = ["recordV0", "recordV1", "recordV2", "recordSurface", "recordFrame", "recordBend"];
+var recordBytes = 16 * captured.length;
+var usualMax = 4e5;
+var Renderer = class {
+  /** `cover`: what `sward export` wrote into field.cover; without it blades do not shade one another. */
+  constructor(canvas, field, cover = noCover, sowing, host) {
+    this.canvas = canvas;
+    this.field = field;
+    this.sowing = sowing;
+    const options = { antialias: false, alpha: false, depth: false, powerPreference: "high-performance" };
+    const gl = host ?? canvas.getContext("webgl2", options);
+    if (!gl) fail("unsupported", "this browser has no WebGL 2, or its graphics driver is blocked");
+    this.gl = gl;
+    this.tree = new PatchTree(field, sowing);
+    this.scene = sceneOf(field, sowing ? sownCover(cover, sowing.bladesPerStored) : cover, sowing?.patches);
+    this.restore();
+  }
+  canvas;
+  field;
+  sowing;
+  scene;
+  gl;
+  tree;
+  parts;
+  lodThreshold = frameSettings.lodThreshold;
+  /** Makes all that lies on the device, first or after the device was lost. */
+  restore() {
+    this.parts = new Parts(this.gl, this.field, this.scene, this.sowing);
+    this.sowing?.forget();
+  }
+  /** The sun as the viewer has it by default. */
+  get usualLight() {
+    const up = unit(scaled(this.field.defaults.gravity.direction, -1));
+    return { ...usualLight, sunDirection: turnedWith(up, usualLight.sunDirection) };
+  }
+  /** Draws a picture as large as the canvas. */
+  draw(input) {
+    const { canvas, field, scene } = this;
+    const view = viewOf(input.camera, field.origin, canvas.width, canvas.height, scene.content);
+    const { groups, stats } = this.prepare(input, view);
+    this.parts.draw(groups, canvas.width, canvas.height, input.isFine ?? false);
+    return stats;
+  }
+  /** Waits until all is sown that a camera wants, of a field with seeds. */
+  async sowFor(input) {
+    const { canvas, field, scene, sowing } = this;
+    const view = viewOf(input.camera, field.origin, canvas.width, canvas.height, scene.content);
+    while (sowing) {
+      this.choose(input, view);
+      if (sowing.isSettled) return;
+      await new Promise((resolve) => setTimeout(resolve, 10));
+    }
+  }
+  /** Draws into a framebuffer of a host, whose depth hides grass and is hidden by it. */
+  drawInHost(input) {
+    const { gl } = this;
+    const width = input.width ?? gl.drawingBufferWidth;
+    const height = input.height ?? gl.drawingBufferHeight;
+    const { view, camera, light } = hostView(input, height, this.usualLight);
+    const before = enterHost(gl);
+    const { groups, stats } = this.prepare({ ...input, camera, light }, view);
+    gl.bindFramebuffer(gl.FRAMEBUFFER, input.framebuffer ?? null);
+    gl.viewport(0, 0, width, height);
+    this.parts.drawInHost(groups, input.isLinear ?? false, input.ground ?? false);
+    leaveHost(gl, before);
+    return stats;
+  }
+  /** Chooses the groups of blades of a view, and brings what has come onto the device. */
+  choose(input, view) {
+    const { field, scene, sowing } = this;
+    const frame = {
+      view,
+      camera: input.camera,
+      light: input.light ?? this.usualLight,
+      wind: input.wind ?? 1,
+      time: input.time,
+      shadowDistance,
+      lodThreshold: this.lodThreshold,
+      sparseFrom: 0,
+      sparseLeast: field.seeds?.meadow.stored ?? 0
+    };
+    const treeView = {
+      eye: view.eye,
+      planes: view.planes,
+      drawDistance: field.defaults.drawDistance,
+      pixelsPerUnit: view.pixelsPerUnit,
+      lodThreshold: this.lodThreshold,
+      lodWidth: scene.bladeWidth,
+      minWidth: minWidthOf(view),
+      sparseFrom: 0,
+      sparseLeast: frame.sparseLeast
+    };
+    const find = () => {
+      frame.sparseFrom = treeView.sparseFrom = sowing ? this.sparseFrom(view) : 0;
+      treeView.lodThreshold = frame.lodThreshold = this.lodThreshold * (sowing?.thinning ?? 1);
+      return this.tree.groupsOf(treeView, Infinity);
+    };
+    if (sowing) sowing.update({ ...treeView, lodThreshold: this.lodThreshold, sparseFrom: this.sparseFrom(view) });
+    this.parts.uploadPages();
+    const most = input.maxBlades ?? usualMax;
+    let groups = find();
+    const usual = frameSettings.lodThreshold;
+    for (let i = 0; i < 12; ++i) {
+      const ratio = Math.sqrt(groups.blades / most);
+      if (ratio > 1.15) this.lodThreshold *= Math.min(ratio, 2);
+      else if (ratio < 0.7 && this.lodThreshold > usual)
+        this.lodThreshold = Math.max(this.lodThreshold * Math.max(1.2 * ratio, 0.5), usual);
+      else break;
+      groups = find();
+    }
+    if (groups.blades > most) this.lodThreshold *= 1.02;
+    else if (groups.blades < 0.8 * most) this.lodThreshold = Math.max(this.lodThreshold / 1.02, usual);
+    return { frame, treeView, groups };
+  }
+  /** Chooses, moves and poses blades, and draws the maps of shadows. */
+  prepare(input, view) {
+    const { frame, treeView, groups } = this.choose(input, view);
+    const rows = shadowRows(view, input.camera, frame.light.sunDirection, frame.shadowDistance);
+    const casters = frame.light.sunColor[0] > 0 ? this.tree.groupsOf({ ...treeView, planes: shadowPlanes(rows), minWidth: 0 }, input.maxBlades ?? usualMax, shadowClass) : void 0;
+    this.parts.prepare(frame, groups, casters, shadowPlanes(rows), input.elapsed);
+    return { groups, stats: { blades: groups.blades, missing: groups.missing } };
+  }
+  /** Distance beyond which a sown field is drawn sparsely: frameOf() of src/render/frame/frame.cpp. */
+  sparseFrom(view) {
+    const { low, high } = this.scene.content;
+    const gap = [0, 1, 2].map((i) => Math.max(low[i] - view.eye[i], view.eye[i] - high[i], 0));
+    const full = this.scene.bladeWidth * view.pixelsPerUnit / this.lodThreshold;
+    return this.sowing.sparseDistance(low, high, full, size(gap));
+  }
+  /** Records of the blades that the last draw() posed; 24 words each. For tests. */
+  readRecords() {
+    return this.parts.readRecords();
+  }
+  get isLost() {
+    return this.gl.isContextLost();
+  }
+};
+var shadowDistance = 8;
 var Parts = class {
   constructor(gl, field, scene, sowing) {
     this.gl = gl;
@@ -3816,6 +3937,7 @@ var Parts = class {
   /** First row of blades, and of patches, that are sown. */
   sownRow;
   picture;
+  hostPrograms;
   recordRoom = 0;
   recordCount = 0;
   newest = 0;
@@ -3867,7 +3989,8 @@ var Parts = class {
     }
     sowing.changed = [];
   }
-  draw(input, groups, casters, sunPlanes, elapsed, width, height, isFine) {
+  /** Moves and poses the blades, and draws the maps of shadows. */
+  prepare(input, groups, casters, sunPlanes, elapsed) {
     const { gl } = this;
     const block = frameBlock(this.scene, input);
     this.setFrame(block);
@@ -3898,6 +4021,10 @@ var Parts = class {
       this.setGroups(groups);
     }
     this.poseBlades(groups);
+  }
+  /** Draws a picture of what is prepared onto the canvas. */
+  draw(groups, width, height, isFine) {
+    const { gl } = this;
     let picture = this.picture;
     if (!picture || picture.width !== width || picture.height !== height || picture.isFine !== isFine) {
       picture?.delete();
@@ -3914,7 +4041,7 @@ var Parts = class {
       this.drawRibbons(this.blade, groups);
       this.ground.use();
       gl.uniform2fv(this.ground.place("jitter"), jitter);
-      this.drawGround();
+      this.drawGround(this.ground);
       this.sky.use();
       gl.bindVertexArray(this.nothing);
       gl.drawArrays(gl.TRIANGLES, 0, 3);
@@ -3930,6 +4057,25 @@ var Parts = class {
     gl.drawArrays(gl.TRIANGLES, 0, 3);
     gl.enable(gl.DEPTH_TEST);
     gl.bindVertexArray(null);
+  }
+  /** Draws what is prepared into the framebuffer that is bound, with its depth. */
+  drawInHost(groups, isLinear, hasGround) {
+    const { gl } = this;
+    const { blade, ground } = this.hostPrograms ??= {
+      blade: new Program(gl, "blade of a host", bladeVert, hostBladeFrag).finish(),
+      ground: new Program(gl, "ground of a host", groundVert, hostGroundFrag).finish()
+    };
+    blade.use();
+    gl.uniform2f(blade.place("jitter"), 0, 0);
+    gl.uniform1ui(blade.place("samples"), 1);
+    gl.uniform1ui(blade.place("sampleOfPixel"), 0);
+    gl.uniform1i(blade.place("isLinear"), isLinear ? 1 : 0);
+    this.drawRibbons(blade, groups);
+    if (!hasGround) return;
+    ground.use();
+    gl.uniform2f(ground.place("jitter"), 0, 0);
+    gl.uniform1i(ground.place("isLinear"), isLinear ? 1 : 0);
+    this.drawGround(ground);
   }
   readRecords() {
     const { gl } = this;
@@ -4040,14 +4186,13 @@ var Parts = class {
       gl.drawElementsInstanced(gl.TRIANGLES, count, gl.UNSIGNED_SHORT, 0, (end - begin) * groupBlades);
     });
   }
-  drawGround() {
+  drawGround(program) {
     const { gl } = this;
-    this.ground.use();
     gl.bindVertexArray(this.groundArray);
     for (const part of this.groundParts) {
       bindTexture(gl, "baseColor", part.image);
-      gl.uniform3fv(this.ground.place("materialColor"), part.color);
-      gl.uniform1i(this.ground.place("isDoubleSided"), part.isDoubleSided ? 1 : 0);
+      gl.uniform3fv(program.place("materialColor"), part.color);
+      gl.uniform1i(program.place("isDoubleSided"), part.isDoubleSided ? 1 : 0);
       if (part.isDoubleSided) gl.disable(gl.CULL_FACE);
       else gl.enable(gl.CULL_FACE);
       gl.drawElements(gl.TRIANGLES, part.count, gl.UNSIGNED_INT, 4 * part.first);
@@ -4529,13 +4674,12 @@ var Sowing = class _Sowing {
       return inPage();
     }
     const sent = [];
+    let hasAnswered = false;
     this.tell = (message) => {
-      sent.push(message);
+      if (!hasAnswered) sent.push(message);
       this.worker.postMessage(message);
     };
-    let hasAnswered = false;
     this.worker.onmessage = (event) => {
-      if (!hasAnswered) sent.length = 0;
       hasAnswered = true;
       sent.length = 0;
       hear(event.data);

@@ -43,5 +43,9 @@ void main()
     point.seed = seed;
     point.finish = float(outBend.z >> 16u);
     point.flecks = float(outBend.y >> 24u);
+#ifdef IN_HOST
+    outColor = vec4(forHost(bladePicture(point)), 1.0);
+#else
     outColor = vec4(bladePicture(point), 1.0 - softness(length(FRAME.view.eye - outPosition), 1.0));
+#endif
 }

@@ -26,5 +26,9 @@ void main()
     point.normal = outNormal;
     point.albedo = materialColor * (texel / float(probes.count)) * outVertexColor.rgb;
     point.isDoubleSided = isDoubleSided;
+#ifdef IN_HOST
+    outColor = vec4(forHost(groundPicture(point).rgb), 1.0);
+#else
     outColor = groundPicture(point);
+#endif
 }

@@ -10,6 +10,7 @@ export type { FetchOptions } from "./format/source";
 export { xxh3 } from "./format/xxh3";
 export { Renderer } from "./render/renderer";
 export type { DrawInput, DrawStats } from "./render/renderer";
+export type { HostInput } from "./render/host";
 export { noCover, parseCoverFile } from "./render/cover";
 export type { Cover } from "./render/cover";
 export { lightAt, usualSun } from "./render/light";

@@ -209,7 +209,8 @@ export class Field {
 
 /** Reads a field that is in memory, whole. `name` is for messages. */
 export async function readField(file: ArrayBuffer | Uint8Array, name = "field"): Promise<Field> {
-  const bytes = file instanceof Uint8Array ? file : new Uint8Array(file);
+  // Not a Buffer of Node.js, whose slice() copies nothing.
+  const bytes = file instanceof Uint8Array ? new Uint8Array(file.buffer, file.byteOffset, file.length) : new Uint8Array(file);
   const field = await Field.open(await Container.open(new BufferSource(name, bytes)));
   await field.loadAll();
   await field.verifyRest();

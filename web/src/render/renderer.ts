@@ -9,16 +9,16 @@ import { sownPagePatches } from "../sow/pages";
 import type { Sowing } from "../sow/sowing";
 import { View, viewOf } from "./camera";
 import { Cover, noCover, sownCover } from "./cover";
-import { chosenExposure } from "./exposure";
-import { floorOf, noFloor } from "./floor";
 import {
   frameBlock, FrameInput, frameSettings, looksBlock, minWidthOf, Scene, shadowPlanes, shadowRows, sunMapSize,
 } from "./frame";
 import { bindTexture, Gl, imageTexture, makeTarget, makeTexture, Picture, Program, samplePlaces, tableWidth, wordTable } from "./gl";
+import { enterHost, HostInput, hostView, leaveHost } from "./host";
 import { Light, usualLight, turnedWith } from "./light";
+import { sceneOf } from "./scene";
 import { groundArrayOf, patchesOfRow, patchTable, patchTexels, patchTexelsOf, ribbonIndices } from "./tables";
-import { classes, groupBlades, Groups, meanBladeWidth, PatchTree, shadowClass, TreeView } from "./tree";
-import { Box, scaled, size, unit } from "./vector";
+import { classes, groupBlades, Groups, PatchTree, shadowClass, TreeView } from "./tree";
+import { scaled, size, unit } from "./vector";
 
 /** What a picture shows. */
 export interface DrawInput {
@@ -63,13 +63,11 @@ export class Renderer {
     cover: Cover = noCover,
     /** The blades between the stored ones of a field with seeds. */
     readonly sowing?: Sowing,
+    /** The context of a host that draws on the canvas, too: see drawInHost(). */
+    host?: Gl,
   ) {
-    const gl = canvas.getContext("webgl2", {
-      antialias: false,
-      alpha: false,
-      depth: false,
-      powerPreference: "high-performance",
-    });
+    const options = { antialias: false, alpha: false, depth: false, powerPreference: "high-performance" };
+    const gl = host ?? (canvas.getContext("webgl2", options) as Gl | null);
     if (!gl) fail("unsupported", "this browser has no WebGL 2, or its graphics driver is blocked");
     this.gl = gl;
     this.tree = new PatchTree(field, sowing);
@@ -91,8 +89,42 @@ export class Renderer {
 
   /** Draws a picture as large as the canvas. */
   draw(input: DrawInput): DrawStats {
+    const { canvas, field, scene } = this;
+    const view = viewOf(input.camera, field.origin, canvas.width, canvas.height, scene.content);
+    const { groups, stats } = this.prepare(input, view);
+    this.parts.draw(groups, canvas.width, canvas.height, input.isFine ?? false);
+    return stats;
+  }
+
+  /** Waits until all is sown that a camera wants, of a field with seeds. */
+  async sowFor(input: DrawInput): Promise<void> {
     const { canvas, field, scene, sowing } = this;
     const view = viewOf(input.camera, field.origin, canvas.width, canvas.height, scene.content);
+    while (sowing) {
+      this.choose(input, view);
+      if (sowing.isSettled) return;
+      await new Promise((resolve) => setTimeout(resolve, 10));
+    }
+  }
+
+  /** Draws into a framebuffer of a host, whose depth hides grass and is hidden by it. */
+  drawInHost(input: HostInput): DrawStats {
+    const { gl } = this;
+    const width = input.width ?? gl.drawingBufferWidth;
+    const height = input.height ?? gl.drawingBufferHeight;
+    const { view, camera, light } = hostView(input, height, this.usualLight);
+    const before = enterHost(gl);
+    const { groups, stats } = this.prepare({ ...input, camera, light }, view);
+    gl.bindFramebuffer(gl.FRAMEBUFFER, input.framebuffer ?? null);
+    gl.viewport(0, 0, width, height);
+    this.parts.drawInHost(groups, input.isLinear ?? false, input.ground ?? false);
+    leaveHost(gl, before);
+    return stats;
+  }
+
+  /** Chooses the groups of blades of a view, and brings what has come onto the device. */
+  private choose(input: DrawInput, view: View): { frame: FrameInput; treeView: TreeView; groups: Groups } {
+    const { field, scene, sowing } = this;
     const frame: FrameInput = {
       view,
       camera: input.camera,
@@ -115,19 +147,16 @@ export class Renderer {
       sparseFrom: 0,
       sparseLeast: frame.sparseLeast,
     };
-    /** What depends on the threshold of level of detail, which is raised while blades are missing. */
-    const choose = () => {
+    // What depends on the threshold of level of detail, which is raised while blades are missing.
+    const find = () => {
       frame.sparseFrom = treeView.sparseFrom = sowing ? this.sparseFrom(view) : 0;
       treeView.lodThreshold = frame.lodThreshold = this.lodThreshold * (sowing?.thinning ?? 1);
       return this.tree.groupsOf(treeView, Infinity);
     };
-    if (sowing) {
-      choose();
-      sowing.update({ ...treeView, lodThreshold: this.lodThreshold });
-    }
+    if (sowing) sowing.update({ ...treeView, lodThreshold: this.lodThreshold, sparseFrom: this.sparseFrom(view) });
     this.parts.uploadPages();
     const most = input.maxBlades ?? usualMax;
-    let groups = choose();
+    let groups = find();
     // Far too many blades, or far too few: change level of detail at once. Else slowly, so that nothing flickers.
     const usual = frameSettings.lodThreshold;
     for (let i = 0; i < 12; ++i) {
@@ -136,17 +165,23 @@ export class Renderer {
       else if (ratio < 0.7 && this.lodThreshold > usual)
         this.lodThreshold = Math.max(this.lodThreshold * Math.max(1.2 * ratio, 0.5), usual);
       else break;
-      groups = choose();
+      groups = find();
     }
     if (groups.blades > most) this.lodThreshold *= 1.02;
     else if (groups.blades < 0.8 * most) this.lodThreshold = Math.max(this.lodThreshold / 1.02, usual);
+    return { frame, treeView, groups };
+  }
+
+  /** Chooses, moves and poses blades, and draws the maps of shadows. */
+  private prepare(input: DrawInput, view: View): { groups: Groups; stats: DrawStats } {
+    const { frame, treeView, groups } = this.choose(input, view);
     const rows = shadowRows(view, input.camera, frame.light.sunDirection, frame.shadowDistance);
     const casters =
       frame.light.sunColor[0] > 0
-        ? this.tree.groupsOf({ ...treeView, planes: shadowPlanes(rows), minWidth: 0 }, most, shadowClass)
+        ? this.tree.groupsOf({ ...treeView, planes: shadowPlanes(rows), minWidth: 0 }, input.maxBlades ?? usualMax, shadowClass)
         : undefined;
-    this.parts.draw(frame, groups, casters, shadowPlanes(rows), input.elapsed, canvas.width, canvas.height, input.isFine ?? false);
-    return { blades: groups.blades, missing: groups.missing };
+    this.parts.prepare(frame, groups, casters, shadowPlanes(rows), input.elapsed);
+    return { groups, stats: { blades: groups.blades, missing: groups.missing } };
   }
 
   /** Distance beyond which a sown field is drawn sparsely: frameOf() of src/render/frame/frame.cpp. */
@@ -169,39 +204,6 @@ export class Renderer {
 
 /** Distance to which blades cast shadows of their own shape [m], as in the viewer. */
 const shadowDistance = 8;
-
-function boxOf(field: Field): { content: Box; ground: Box } {
-  const ground: Box = { low: [Infinity, Infinity, Infinity], high: [-Infinity, -Infinity, -Infinity] };
-  const vertices = field.ground.vertices;
-  const floats = new Float32Array(vertices.buffer, vertices.byteOffset, vertices.length / 4);
-  for (let v = 0; v < field.ground.vertexCount; ++v)
-    for (let i = 0; i < 3; ++i) {
-      ground.low[i] = Math.min(ground.low[i], floats[7 * v + i]);
-      ground.high[i] = Math.max(ground.high[i], floats[7 * v + i]);
-    }
-  const content: Box = { low: [...ground.low], high: [...ground.high] };
-  if (field.patches.count > 0)
-    for (let i = 0; i < 3; ++i) {
-      content.low[i] = Math.min(content.low[i], field.patches.floats[i]);
-      content.high[i] = Math.max(content.high[i], field.patches.floats[4 + i]);
-    }
-  return { content, ground };
-}
-
-function sceneOf(field: Field, cover: Cover, patches = field.patches): Scene {
-  const { content, ground } = boxOf(field);
-  const gravity = field.defaults.gravity;
-  const up = unit(scaled(gravity.direction, -1));
-  return {
-    field,
-    cover,
-    content,
-    groundBox: ground,
-    floor: gravity.blend === 0 ? floorOf(field.ground, up) : noFloor,
-    bladeWidth: meanBladeWidth(patches, field.patches.count),
-    exposure: chosenExposure(field.ground, cover, field.bladeCount > 0),
-  };
-}
 
 /** A part of the ground with one material. */
 interface GroundPart {
@@ -247,6 +249,7 @@ class Parts {
   /** First row of blades, and of patches, that are sown. */
   private readonly sownRow: number;
   private picture: Picture | undefined;
+  private hostPrograms: { blade: Program; ground: Program } | undefined;
   private recordRoom = 0;
   private recordCount = 0;
   private newest = 0;
@@ -379,16 +382,8 @@ class Parts {
     sowing.changed = [];
   }
 
-  draw(
-    input: FrameInput,
-    groups: Groups,
-    casters: Groups | undefined,
-    sunPlanes: number[][],
-    elapsed: number,
-    width: number,
-    height: number,
-    isFine: boolean,
-  ): void {
+  /** Moves and poses the blades, and draws the maps of shadows. */
+  prepare(input: FrameInput, groups: Groups, casters: Groups | undefined, sunPlanes: number[][], elapsed: number): void {
     const { gl } = this;
     const block = frameBlock(this.scene, input);
     this.setFrame(block);
@@ -420,7 +415,11 @@ class Parts {
       this.setGroups(groups);
     }
     this.poseBlades(groups);
+  }
 
+  /** Draws a picture of what is prepared onto the canvas. */
+  draw(groups: Groups, width: number, height: number, isFine: boolean): void {
+    const { gl } = this;
     let picture = this.picture;
     if (!picture || picture.width !== width || picture.height !== height || picture.isFine !== isFine) {
       picture?.delete();
@@ -438,7 +437,7 @@ class Parts {
       // Ground and sky are lit where no blade hides them.
       this.ground.use();
       gl.uniform2fv(this.ground.place("jitter"), jitter);
-      this.drawGround();
+      this.drawGround(this.ground);
       this.sky.use();
       gl.bindVertexArray(this.nothing);
       gl.drawArrays(gl.TRIANGLES, 0, 3);
@@ -455,6 +454,26 @@ class Parts {
     gl.drawArrays(gl.TRIANGLES, 0, 3);
     gl.enable(gl.DEPTH_TEST);
     gl.bindVertexArray(null);
+  }
+
+  /** Draws what is prepared into the framebuffer that is bound, with its depth. */
+  drawInHost(groups: Groups, isLinear: boolean, hasGround: boolean): void {
+    const { gl } = this;
+    const { blade, ground } = (this.hostPrograms ??= {
+      blade: new Program(gl, "blade of a host", shaders.bladeVert, shaders.hostBladeFrag).finish(),
+      ground: new Program(gl, "ground of a host", shaders.groundVert, shaders.hostGroundFrag).finish(),
+    });
+    blade.use();
+    gl.uniform2f(blade.place("jitter"), 0, 0);
+    gl.uniform1ui(blade.place("samples"), 1);
+    gl.uniform1ui(blade.place("sampleOfPixel"), 0);
+    gl.uniform1i(blade.place("isLinear"), isLinear ? 1 : 0);
+    this.drawRibbons(blade, groups);
+    if (!hasGround) return;
+    ground.use();
+    gl.uniform2f(ground.place("jitter"), 0, 0);
+    gl.uniform1i(ground.place("isLinear"), isLinear ? 1 : 0);
+    this.drawGround(ground);
   }
 
   readRecords(): Uint32Array {
@@ -574,14 +593,13 @@ class Parts {
     });
   }
 
-  private drawGround(): void {
+  private drawGround(program: Program): void {
     const { gl } = this;
-    this.ground.use();
     gl.bindVertexArray(this.groundArray);
     for (const part of this.groundParts) {
       bindTexture(gl, "baseColor", part.image);
-      gl.uniform3fv(this.ground.place("materialColor"), part.color);
-      gl.uniform1i(this.ground.place("isDoubleSided"), part.isDoubleSided ? 1 : 0);
+      gl.uniform3fv(program.place("materialColor"), part.color);
+      gl.uniform1i(program.place("isDoubleSided"), part.isDoubleSided ? 1 : 0);
       if (part.isDoubleSided) gl.disable(gl.CULL_FACE);
       else gl.enable(gl.CULL_FACE);
       gl.drawElements(gl.TRIANGLES, part.count, gl.UNSIGNED_INT, 4 * part.first);

@@ -212,14 +212,14 @@ export class Sowing {
       // Scripts of other servers make no workers.
       return inPage();
     }
+    /** Until the worker has answered: what it has been told. */
     const sent: ToSower[] = [];
+    let hasAnswered = false;
     this.tell = (message) => {
-      sent.push(message);
+      if (!hasAnswered) sent.push(message);
       this.worker!.postMessage(message);
     };
-    let hasAnswered = false;
     this.worker.onmessage = (event: MessageEvent<FromSower>) => {
-      if (!hasAnswered) sent.length = 0;
       hasAnswered = true;
       sent.length = 0;
       hear(event.data);
