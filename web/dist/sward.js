@@ -2618,6 +2618,16 @@ function leafAreaAt(cover, place) {
   return sum;
 }
 var leafProjectionOf = (cover) => fromHalf(cover.leaves[0] & 65535);
+async function coverAt(address) {
+  let response;
+  try {
+    response = await fetch(address);
+  } catch {
+    throw new SwardError("io", `${address}: no answer from the server`);
+  }
+  if (!response.ok) throw new SwardError("io", `${address}: the server answers ${response.status}`);
+  return parseCoverFile(await response.arrayBuffer(), address);
+}
 
 // src/render/block.ts
 var Block = class {
@@ -4770,6 +4780,73 @@ async function wasmBeside() {
   return response.arrayBuffer();
 }
 
+// src/page/grass.ts
+var firstPages = 384;
+var pagesAtOnce = 256;
+var Grass = class _Grass {
+  constructor(field, renderer) {
+    this.field = field;
+    this.renderer = renderer;
+  }
+  field;
+  renderer;
+  /** Opens a field. `gl`: the host's context. Further blades come afterwards. */
+  static async open(gl, options) {
+    const { onChange, onError } = options;
+    const field = await openField(options.field);
+    const [cover, sowing] = await Promise.all([
+      options.cover ? coverAt(options.cover) : noCover,
+      field.isSown && options.sow !== false ? Sowing.open(field, { onChange, onError, ...options.sow }) : void 0,
+      field.loadPages(0, Math.min(firstPages, field.pageCount))
+    ]);
+    const grass = new _Grass(field, new Renderer(gl.canvas, field, cover, sowing, gl));
+    grass.loadRest(onChange).catch((error) => {
+      if (!(error instanceof SwardError)) throw error;
+      onError?.(error);
+    });
+    return grass;
+  }
+  /**
+   * Draws the grass into the host's framebuffer. Call it after the host has drawn its opaque objects, and let the host
+   * forget the state of the context afterwards: `renderer.resetState()` of three.js, `engine.wipeCaches(true)` of
+   * Babylon.js.
+   */
+  draw(input) {
+    return this.renderer.drawInHost(input);
+  }
+  /** Ends its work. */
+  stop() {
+    this.renderer.sowing?.stop();
+  }
+  async loadRest(onChange) {
+    const { field } = this;
+    for (let page = 0; page < field.pageCount; page += pagesAtOnce) {
+      await field.loadPages(page, Math.min(page + pagesAtOnce, field.pageCount));
+      onChange?.();
+    }
+  }
+};
+function groundMesh(field) {
+  const { ground } = field;
+  const floats = new Float32Array(ground.vertices.buffer, ground.vertices.byteOffset, ground.vertices.length / 4);
+  const count = ground.vertexCount;
+  const mesh = {
+    positions: new Float32Array(3 * count),
+    uvs: new Float32Array(2 * count),
+    colors: new Uint8Array(4 * count),
+    // Level 0 alone: the others are the same ground, coarser.
+    indices: Uint32Array.from(
+      ground.ranges.filter((range) => range.level === 0).flatMap((range) => [...ground.indices.subarray(range.firstIndex, range.firstIndex + range.indexCount)])
+    )
+  };
+  for (let v = 0; v < count; ++v) {
+    mesh.positions.set(floats.subarray(7 * v, 7 * v + 3), 3 * v);
+    mesh.uvs.set(floats.subarray(7 * v + 4, 7 * v + 6), 2 * v);
+    mesh.colors.set(ground.vertices.subarray(28 * v + 24, 28 * v + 28), 4 * v);
+  }
+  return mesh;
+}
+
 // src/page/controls.ts
 var eyeHeight = 1.7;
 var moves = {
@@ -5150,8 +5227,8 @@ var Panel = class {
 };
 
 // src/page/page.ts
-var firstPages = 384;
-var pagesAtOnce = 128;
+var firstPages2 = 384;
+var pagesAtOnce2 = 128;
 var requestsAtOnce = 4;
 var minBlades = 6e4;
 var maxBlades = 2e6;
@@ -5309,8 +5386,8 @@ var FieldView = class {
     const { field, panel } = this;
     panel.progress(field);
     if (field.isComplete || this.hasFailed || this.requests >= requestsAtOnce) return;
-    let wanted = missing.slice(0, pagesAtOnce);
-    for (let page = 0; wanted.length < pagesAtOnce && page < field.pageCount; ++page)
+    let wanted = missing.slice(0, pagesAtOnce2);
+    for (let page = 0; wanted.length < pagesAtOnce2 && page < field.pageCount; ++page)
       if (field.isMissing(page) && !wanted.includes(page)) wanted.push(page);
     wanted = wanted.sort((a, b) => a - b);
     if (wanted.length === 0) return;
@@ -5350,7 +5427,7 @@ async function showField(element, options) {
     panel.progress(field);
     const [cover] = await Promise.all([
       options.cover ? coverAt(options.cover) : noCover,
-      field.loadPages(0, Math.min(firstPages, field.pageCount))
+      field.loadPages(0, Math.min(firstPages2, field.pageCount))
     ]);
     const view = new FieldView(
       element,
@@ -5376,19 +5453,10 @@ async function sowingOf(field, options, panel, onChange) {
     return void 0;
   }
 }
-async function coverAt(address) {
-  let response;
-  try {
-    response = await fetch(address);
-  } catch {
-    throw new SwardError("io", `${address}: no answer from the server`);
-  }
-  if (!response.ok) throw new SwardError("io", `${address}: the server answers ${response.status}`);
-  return parseCoverFile(await response.arrayBuffer(), address);
-}
 export {
   Field,
   FieldView,
+  Grass,
   Patches,
   Renderer,
   SowModule,
@@ -5397,6 +5465,7 @@ export {
   bladeId,
   compileSower,
   fittingCamera,
+  groundMesh,
   lightAt,
   noCover,
   numbersOf,
@@ -5410,6 +5479,7 @@ export {
   shaders_exports as shaders,
   showField,
   unpackFrame,
+  usualLight,
   usualSun,
   xxh3
 };

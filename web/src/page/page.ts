@@ -1,8 +1,7 @@
-import { SwardError } from "../format/error";
 import { Field, openField } from "../format/field";
 import { Camera, Vec3 } from "../format/texts";
 import { fittingCamera } from "../render/camera";
-import { noCover, parseCoverFile } from "../render/cover";
+import { coverAt, noCover } from "../render/cover";
 import { lightAt, usualSun } from "../render/light";
 import { Renderer } from "../render/renderer";
 import { Sowing } from "../sow/sowing";
@@ -289,15 +288,4 @@ async function sowingOf(
     onError(error);
     return undefined;
   }
-}
-
-async function coverAt(address: string): Promise<typeof noCover> {
-  let response: Response;
-  try {
-    response = await fetch(address);
-  } catch {
-    throw new SwardError("io", `${address}: no answer from the server`);
-  }
-  if (!response.ok) throw new SwardError("io", `${address}: the server answers ${response.status}`);
-  return parseCoverFile(await response.arrayBuffer(), address);
 }

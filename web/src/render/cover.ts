@@ -1,5 +1,5 @@
 import { heightSteps, toneBits } from "../generated/layout";
-import { fail } from "../format/error";
+import { fail, SwardError } from "../format/error";
 import { Vec3 } from "../format/texts";
 import { fromHalf, toHalf } from "./half";
 
@@ -105,3 +105,15 @@ export function leafAreaAt(cover: Cover, place: Vec3): number {
 
 /** leafProjectionOf() of shaders/shared/cover.h. */
 export const leafProjectionOf = (cover: Cover): number => fromHalf(cover.leaves[0] & 0xffff);
+
+/** Fetches field.cover. */
+export async function coverAt(address: string): Promise<Cover> {
+  let response: Response;
+  try {
+    response = await fetch(address);
+  } catch {
+    throw new SwardError("io", `${address}: no answer from the server`);
+  }
+  if (!response.ok) throw new SwardError("io", `${address}: the server answers ${response.status}`);
+  return parseCoverFile(await response.arrayBuffer(), address);
+}
