@@ -32,13 +32,6 @@ struct BladeKey {
     std::uint32_t candidate = 0; ///< number of the candidate, from 0
 };
 
-/// Key of a ribbon, from that of its stalk. Keys of different blades differ while candidates are
-/// below 2²⁵. The highest bit tells the sides of a triangle apart.
-constexpr BladeKey ribbonKey(BladeKey stalk, std::uint32_t number)
-{
-    return {stalk.triangle, stalk.candidate ^ (number << 25U)};
-}
-
 /// The blade's stable id outside the field: a hash of triangle and candidate alone. It is below
 /// 2⁵³, so that every program can read it as a number.
 std::uint64_t bladeId(BladeKey key);

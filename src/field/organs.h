@@ -12,6 +12,7 @@
 
 namespace sward::field {
 
+struct BladeKey;
 struct FieldView;
 struct Species;
 
@@ -69,5 +70,9 @@ std::uint64_t rootedBlades(const FieldView& field);
 /// Mean area (length times width) of the blades of compound plants and all others, relative to
 /// their patches' middle height times middle width; 1 without compound plants. From a sample.
 float areaFactor(const FieldView& field);
+
+/// Key of a ribbon, from that of its stalk. Keys of different blades differ while candidates are
+/// below 2²⁵.
+BladeKey ribbonKey(BladeKey stalk, std::uint32_t number);
 
 } // namespace sward::field

@@ -22,6 +22,7 @@ struct ExportSettings {
     /// Called after some millions of blades of a compact or tiled export: may take a mapped field
     /// out of memory.
     std::function<void()> rest{};
+    std::string poster{};            ///< of a page: a JPEG that it shows before the field; or none
     std::string generator = "Sward"; ///< name and version of the program, stored in the file
 };
 

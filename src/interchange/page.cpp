@@ -21,6 +21,7 @@ namespace sward::interchange {
 namespace {
 
 constexpr std::string_view titlePlace = "{{title}}";
+constexpr std::string_view posterPlace = "{{poster}}";
 constexpr std::string_view pageName = "index.html";
 constexpr std::string_view sowerName = "sow.wasm";
 
@@ -48,14 +49,25 @@ std::string inHtml(std::string_view text)
     return html;
 }
 
-std::string titled(std::string_view page, std::string_view title)
+std::string replaced(std::string text, std::string_view place, std::string_view by)
 {
-    std::string result(page);
+    for (std::size_t at = text.find(place); at != std::string::npos;
+         at = text.find(place, at + by.size()))
+        text.replace(at, place.size(), by);
+    return text;
+}
+
+/// The page with its title, which may hold any characters, and its picture.
+std::string filledIn(std::string_view page, std::string_view title, bool hasPoster)
+{
     const std::string name = inHtml(title);
-    for (std::size_t at = result.find(titlePlace); at != std::string::npos;
-         at = result.find(titlePlace, at + name.size()))
-        result.replace(at, titlePlace.size(), name);
-    return result;
+    const std::string poster = hasPoster ? "<img class=\"sward-poster\" src=\"poster.jpg\" alt=\"A "
+                                           "picture of the field " +
+                                               name + "\">"
+                                         : std::string();
+    const std::size_t at = page.find(posterPlace);
+    return replaced(std::string(page.substr(0, at)), titlePlace, name) + poster +
+           replaced(std::string(page.substr(at + posterPlace.size())), titlePlace, name);
 }
 
 /// The cover of a field as the page's script reads it: shared::Cover with field::areaFactor() as a
@@ -81,7 +93,7 @@ std::uint64_t writePage(const field::FieldView& field, const std::filesystem::pa
     std::filesystem::create_directories(folder, error);
     if (error)
         fail(ErrorKind::io, "{}: the folder cannot be made", folder.string());
-    progress.begin("export", embedded::page().size() + 1);
+    progress.begin("export", embedded::page().size() + 2);
     std::uint64_t bytes = 0;
     const auto put = [&](std::string_view name, std::string_view text) {
         writeTextFile(folder / name, text, settings.overwrite);
@@ -89,6 +101,8 @@ std::uint64_t writePage(const field::FieldView& field, const std::filesystem::pa
         progress.advance(1);
     };
     put("field.cover", coverBytes(field));
+    if (!settings.poster.empty())
+        put("poster.jpg", settings.poster);
     // The page itself comes last: it is there when all is.
     const std::string title = std::filesystem::path(settings.source).stem().string();
     for (const EmbeddedFile& file : embedded::page())
@@ -96,7 +110,7 @@ std::uint64_t writePage(const field::FieldView& field, const std::filesystem::pa
             put(file.name, file.text());
     for (const EmbeddedFile& file : embedded::page())
         if (file.name == pageName)
-            put(file.name, titled(file.text(), title));
+            put(file.name, filledIn(file.text(), title, !settings.poster.empty()));
     return bytes;
 }
 

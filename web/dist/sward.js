@@ -5120,7 +5120,8 @@ var Panel = class {
       "aria-label",
       "A field of grass in three dimensions. Arrow keys turn the view, plus and minus come nearer and go away."
     );
-    element.replaceChildren(canvas, this.message, this.bar, this.note);
+    this.poster = element.querySelector(".sward-poster");
+    element.replaceChildren(canvas, ...this.poster ? [this.poster] : [], this.message, this.bar, this.note);
     this.say("The field is coming.");
   }
   element;
@@ -5128,6 +5129,7 @@ var Panel = class {
   message = make("p", { class: "sward-message", role: "status", "aria-live": "polite" });
   bar = make("progress", { class: "sward-progress", "aria-label": "Blades that have come", max: "1" });
   note = make("small", { class: "sward-note", role: "note" });
+  poster;
   hasFailed = false;
   /** Shows a text; none if it is empty. */
   say(text) {
@@ -5144,6 +5146,15 @@ var Panel = class {
     this.message.setAttribute("role", "alert");
     this.message.classList.add("sward-error");
     this.bar.hidden = true;
+  }
+  /** The first picture is there: that of the page fades, or goes at once where less motion is asked for. */
+  begin() {
+    const { poster } = this;
+    if (!poster) return;
+    poster.classList.add("sward-gone");
+    if (parseFloat(getComputedStyle(poster).transitionDuration) > 0)
+      poster.addEventListener("transitionend", () => poster.remove());
+    else poster.remove();
   }
   /** Says that the blades between the stored ones of a field with seeds are missing. */
   lacksBlades(error) {
@@ -5371,7 +5382,7 @@ var FieldView = class {
       maxBlades: this.budget * this.detail * (isFine ? 2 : 1),
       isFine
     });
-    ++this.frames;
+    if (++this.frames === 1) this.panel.begin();
     this.load(stats.missing);
   }
   /** Fewer blades where frames take long, more where they do not. */

@@ -6,6 +6,7 @@
 #include "apps/common/version.h"
 #include "apps/sward/files/new_output_folder.h"
 #include "apps/sward/files/output_files.h"
+#include "apps/sward/files/poster.h"
 #include "apps/sward/options/earth_options.h"
 #include "apps/sward/options/growth_options.h"
 #include "apps/sward/subcommand.h"
@@ -91,6 +92,11 @@ public:
         app().add_flag("--tiles", tiles_,
                        "Write a folder OUT with 3D Tiles 1.1: tileset.json and compact .glb files");
         earth_.add(app());
+        app()
+            .add_option("--poster", poster_,
+                        "Of a page: picture that it shows until the field is drawn, as "
+                        "'sward-view render' writes one; becomes a JPEG of at most 150 kB")
+            ->type_name("FILE");
         app().add_flag("--force", settings_.overwrite, "Overwrite an existing file");
         growth_.add(app(), "Of a field with seeds");
         log_.add(app());
@@ -102,6 +108,8 @@ public:
         log_.apply();
         if (isPage(output_) && !tiles_)
             return exportPage();
+        if (!poster_.empty())
+            fail(ErrorKind::usage, "{}: --poster needs a page, an output NAME/", output_);
         // Check before any work.
         if (tiles_)
             return runTiles();
@@ -141,8 +149,10 @@ private:
         ProgressBar bar(log_.showBar());
         Progress progress(bar.callback());
         const CancelOnInterrupt cancel(progress);
+        // A page sows the rest by itself.
+        const bool sowsRest = isPage(output_) && !tiles_ && !growth_.saysAnything();
         const std::optional<field::Field> grown =
-            growth_.grownOf(field.view(), 0, file_, "exported", progress);
+            sowsRest ? std::nullopt : growth_.grownOf(field.view(), 0, file_, "exported", progress);
         const field::FieldView view = grown ? field::viewOf(*grown) : field.view();
         const std::string said = write(view, settings, progress, grown ? &*grown : nullptr);
         bar.clear();
@@ -181,9 +191,12 @@ private:
                  "need a .glb output",
                  output_);
         checkPage(folder, settings_.overwrite);
+        const std::string poster = poster_.empty() ? std::string() : readPoster(poster_);
         writeField([&](const field::FieldView& view, const interchange::ExportSettings& settings,
                        Progress& progress, const field::Field* grown) {
-            std::uint64_t bytes = interchange::writePage(view, folder, settings, progress);
+            interchange::ExportSettings own = settings;
+            own.poster = poster;
+            std::uint64_t bytes = interchange::writePage(view, folder, own, progress);
             const std::filesystem::path copy = folder / "field.sward";
             bytes += grown != nullptr ? field::writeField(*grown, copy, settings.overwrite)
                                       : copyField(copy);
@@ -204,6 +217,7 @@ private:
     std::string file_;
     std::string output_;
     std::string meshopt_;
+    std::string poster_;
     bool tiles_ = false;
     interchange::ExportSettings settings_;
     EarthOptions earth_;

@@ -46,8 +46,8 @@ float sparseDistance(const FieldShape& field, float full, float nearest)
                 return std::min(fullTo / r, 1.0) * nearness * nearness * nearness;
             };
             const double middle = 0.5 * (inner + outer);
-            const double share =
-                shareAt(std::max(middle - std::min(halfUnit(shareAt(middle)), maxNearer * middle), near));
+            const double share = shareAt(
+                std::max(middle - std::min(halfUnit(shareAt(middle)), maxNearer * middle), near));
             int exponent = 0;
             std::frexp(share, &exponent);
             if (share > field.sown.stored)

@@ -186,7 +186,7 @@ export class FieldView {
       maxBlades: this.budget * this.detail * (isFine ? 2 : 1),
       isFine,
     });
-    ++this.frames;
+    if (++this.frames === 1) this.panel.begin();
     this.load(stats.missing);
   }
 

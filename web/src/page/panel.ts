@@ -22,6 +22,7 @@ export class Panel {
   private readonly message = make("p", { class: "sward-message", role: "status", "aria-live": "polite" });
   private readonly bar = make("progress", { class: "sward-progress", "aria-label": "Blades that have come", max: "1" });
   private readonly note = make("small", { class: "sward-note", role: "note" });
+  private readonly poster: HTMLElement | null;
   private hasFailed = false;
 
   constructor(
@@ -35,7 +36,9 @@ export class Panel {
       "aria-label",
       "A field of grass in three dimensions. Arrow keys turn the view, plus and minus come nearer and go away.",
     );
-    element.replaceChildren(canvas, this.message, this.bar, this.note);
+    // A picture of the field, which the page may hold, stands before it until there is one.
+    this.poster = element.querySelector<HTMLElement>(".sward-poster");
+    element.replaceChildren(canvas, ...(this.poster ? [this.poster] : []), this.message, this.bar, this.note);
     this.say("The field is coming.");
   }
 
@@ -56,6 +59,16 @@ export class Panel {
     this.message.setAttribute("role", "alert");
     this.message.classList.add("sward-error");
     this.bar.hidden = true;
+  }
+
+  /** The first picture is there: that of the page fades, or goes at once where less motion is asked for. */
+  begin(): void {
+    const { poster } = this;
+    if (!poster) return;
+    poster.classList.add("sward-gone");
+    if (parseFloat(getComputedStyle(poster).transitionDuration) > 0)
+      poster.addEventListener("transitionend", () => poster.remove());
+    else poster.remove();
   }
 
   /** Says that the blades between the stored ones of a field with seeds are missing. */
