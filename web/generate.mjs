@@ -9,11 +9,18 @@ import { fileURLToPath } from "node:url";
 const here = dirname(fileURLToPath(import.meta.url));
 const root = join(here, "..");
 
+/** The line of a file that defines a constant. */
+function constantIn(path, name) {
+  const line = new RegExp(`^SHARED_CONST \\w+ ${name} = [^;]+;$`, "m").exec(readFileSync(join(root, path), "utf8"));
+  if (!line) throw new Error(`${path} has no constant ${name}`);
+  return `${line[0]}\n`;
+}
+
 /** Files of the repository that a page has otherwise, by what stands for them. */
 const replaced = {
   "shaders/shared/types.h": "",
-  // Push constants: a page has one block of uniforms.
-  "shaders/shared/passes.h": "",
+  // Push constants: a page has one block of uniforms. Of the rest it needs this.
+  "shaders/shared/passes.h": constantIn("shaders/shared/passes.h", "bladeShadowSegments"),
   // Nor has it occlusion by the ground.
   "shaders/shared/occlusion.h": "SHARED_BUFFER(DepthPyramid, uint, )\n",
   "shaders/shared/host_light.h": "SHARED_BUFFER(HostLightArray, uint, readonly)\n",
@@ -205,7 +212,7 @@ function layoutOf(text, name) {
 const exported = [
   "lodFullShare", "maxWindSources", "windNoise", "windWave", "windsAlike", "latticeX", "latticeY", "latticeZ",
   "fineNoiseScale", "fineNoiseStart", "unsettledTurn", "maxHeightCompensation", "outlineMost", "heightSteps",
-  "bladeShadowTexels", "cullPatch", "cullOrientation", "cullFrustum", "cullDistance", "leaveThinned", "toneBits",
+  "bladeShadowTexels", "bladeShadowSegments", "cullPatch", "cullOrientation", "cullFrustum", "cullDistance", "leaveThinned", "toneBits",
 ];
 
 /** Writes the two files into a folder, unless that is null; returns the texts of all stages by their names. */

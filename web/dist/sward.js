@@ -2059,6 +2059,7 @@ var maxHeightCompensation = 1.3;
 var outlineMost = 1.35;
 var heightSteps = 16;
 var bladeShadowTexels = 1024;
+var bladeShadowSegments = 8;
 var cullPatch = 1;
 var cullOrientation = 2;
 var cullFrustum = 4;
@@ -2226,6 +2227,8 @@ var pieces = [
   "#ifndef SWARD_SHARED_LOOK_FILM_CURVE_H\n#define SWARD_SHARED_LOOK_FILM_CURVE_H\n",
   // shaders/shared/look/film_curve.h
   "vec3 filmOf(vec3 exposed)\n{\nvec3 x = exposed * 0.80f;\nvec3 film = (x * (2.51f * x + 0.03f)) / (x * (2.43f * x + 0.59f) + 0.14f);\nreturn clamp(film, 0.0f, 1.0f);\n}\n#endif\n",
+  // shaders/shared/passes.h
+  "const uint bladeShadowSegments = 8u;\n",
   // shaders/common/lighting.glsl
   "#ifndef FRAME\n#define FRAME push.frame.at[0]\n#endif\n#ifndef WIND_SOURCE\n#define WIND_SOURCE(wind, i) FRAME.environment.wind.sources[i]\n#define WIND_PHASE(wind, i) FRAME.environment.wind.phases[i]\n#define WIND_LATTICE(wind) FRAME.environment.wind.lattice\n#endif\n",
   // shaders/common/lighting.glsl
@@ -2317,7 +2320,7 @@ var pieces = [
   // web/shaders/sun.vert
   "layout(location = 0) in vec3 position;\nvoid main()\n{\nvec4 place = vec4(position, 1.0);\nvec2 pixel = vec2(dot(FRAME.shadow.across, place), dot(FRAME.shadow.down, place));\ngl_Position = inClip(vec4(pixel * (2.0 / float(FRAME.shadow.size)) - 1.0, dot(FRAME.shadow.depth, place), 1.0));\n}\n",
   // web/shaders/blade_shadow.vert
-  "flat out uint outSeed;\nout float outDepth;\nvoid main()\n{\nRibbon ribbon = recordedRibbon();\noutSeed = ribbon.seed;\noutDepth = 0.0;\ngl_Position = vec4(2.0, 2.0, 2.0, 1.0);\nif (ribbon.width <= 0.0)\nreturn;\nvec2 place = placeOfVertex(ribbon);\nCrossSection section = crossSectionAt(ribbon, place.y, FRAME.view.eye, 0.0);\nvec4 point = vec4(onCrossSection(section, place.x), 1.0);\nBladeShadow map = FRAME.bladeShadow;\nvec2 texel = vec2(dot(map.across, point), dot(map.down, point));\noutDepth = dot(map.depth, point);\ngl_Position = inClip(vec4(texel * (2.0 / float(map.size)) - 1.0, outDepth, 1.0));\n}\n",
+  "flat out uint outSeed;\nout float outDepth;\nvoid main()\n{\nRibbon ribbon = recordedRibbon();\nribbon.fold = 0.0;\noutSeed = ribbon.seed;\noutDepth = 0.0;\ngl_Position = vec4(2.0, 2.0, 2.0, 1.0);\nif (ribbon.width <= 0.0)\nreturn;\nvec2 place = placeOfVertex(ribbon);\nCrossSection section = crossSectionAt(ribbon, place.y, FRAME.view.eye, 0.0);\nvec4 point = vec4(onCrossSection(section, place.x), 1.0);\nBladeShadow map = FRAME.bladeShadow;\nvec2 texel = vec2(dot(map.across, point), dot(map.down, point));\noutDepth = dot(map.depth, point);\ngl_Position = inClip(vec4(texel * (2.0 / float(map.size)) - 1.0, outDepth, 1.0));\n}\n",
   // web/shaders/blade_shadow.frag
   "flat in uint outSeed;\nin float outDepth;\nlayout(location = 0) out uvec2 texel;\nvoid main()\n{\ntexel = uvec2(outSeed, floatBitsToUint(outDepth));\n}\n",
   // web/shaders/nothing.frag
@@ -2333,21 +2336,21 @@ var head = "#version 300 es\nprecision highp float;\nprecision highp int;\npreci
 var stage = (...numbers) => head + numbers.map((i) => pieces[i]).join("");
 var moveVert = stage(0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15, 16, 17, 18, 19, 20, 21, 22, 23, 24, 25, 26, 27, 28, 29, 30, 31, 32, 33, 34, 35, 36, 37, 38, 39, 40, 41, 42, 43, 44, 45, 46, 47, 48, 49, 50, 51, 52);
 var moveFrag = stage(53);
-var poseVert = stage(0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15, 16, 17, 18, 19, 20, 21, 22, 23, 24, 25, 26, 27, 28, 29, 30, 31, 32, 33, 34, 35, 36, 37, 38, 39, 40, 41, 42, 43, 48, 49, 50, 51, 54, 55, 56, 57, 58, 59, 60, 61, 62, 63, 64, 65, 66, 67, 45, 46, 68, 69, 70, 71, 72, 73, 74, 75, 76, 77, 78, 79, 80);
-var bladeVert = stage(81, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15, 16, 17, 18, 19, 20, 21, 22, 23, 24, 25, 26, 27, 28, 29, 30, 31, 32, 33, 34, 35, 36, 37, 38, 39, 40, 41, 42, 49, 50, 82, 83, 84, 85);
-var bladeFrag = stage(1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15, 16, 17, 18, 19, 20, 21, 22, 23, 24, 25, 26, 27, 28, 29, 30, 31, 32, 33, 34, 35, 36, 37, 38, 39, 40, 41, 42, 86, 55, 56, 57, 58, 59, 60, 61, 62, 63, 64, 65, 66, 67, 45, 46, 68, 69, 77, 78, 87, 88, 89, 49, 50, 90);
-var groundVert = stage(1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15, 16, 17, 18, 19, 20, 21, 22, 23, 24, 25, 26, 27, 28, 29, 30, 31, 32, 33, 34, 35, 36, 37, 38, 39, 40, 41, 42, 91, 92, 93);
-var groundFrag = stage(1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15, 16, 17, 18, 19, 20, 21, 22, 23, 24, 25, 26, 27, 28, 29, 30, 31, 32, 33, 34, 35, 36, 37, 38, 39, 40, 41, 42, 94, 95, 56, 57, 58, 59, 60, 61, 62, 63, 64, 65, 66, 67, 45, 46, 68, 91, 92, 96, 97, 48, 49, 50, 51, 98, 99, 100);
-var skyVert = stage(1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15, 16, 17, 18, 19, 20, 21, 22, 23, 24, 25, 26, 27, 28, 29, 30, 31, 32, 33, 34, 35, 36, 37, 38, 39, 40, 41, 42, 101, 102, 103);
-var skyFrag = stage(1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15, 16, 17, 18, 19, 20, 21, 22, 23, 24, 25, 26, 27, 28, 29, 30, 31, 32, 33, 34, 35, 36, 37, 38, 39, 40, 41, 42, 104, 56, 57, 58, 59, 60, 61, 62, 63, 64, 65, 66, 67, 45, 46, 68, 105, 106);
-var filmVert = stage(107);
-var filmFrag = stage(108, 109, 110);
-var sunVert = stage(1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15, 16, 17, 18, 19, 20, 21, 22, 23, 24, 25, 26, 27, 28, 29, 30, 31, 32, 33, 34, 35, 36, 37, 38, 39, 40, 41, 42, 111);
-var bladeShadowVert = stage(81, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15, 16, 17, 18, 19, 20, 21, 22, 23, 24, 25, 26, 27, 28, 29, 30, 31, 32, 33, 34, 35, 36, 37, 38, 39, 40, 41, 42, 49, 50, 82, 83, 84, 112);
-var bladeShadowFrag = stage(113);
-var nothingFrag = stage(114);
-var hostBladeFrag = stage(115, 116, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15, 16, 17, 18, 19, 20, 21, 22, 23, 24, 25, 26, 27, 28, 29, 30, 31, 32, 33, 34, 35, 36, 37, 38, 39, 40, 41, 42, 86, 55, 56, 57, 58, 59, 60, 61, 62, 63, 64, 65, 66, 67, 45, 46, 68, 69, 77, 78, 87, 88, 89, 49, 50, 90);
-var hostGroundFrag = stage(117, 116, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15, 16, 17, 18, 19, 20, 21, 22, 23, 24, 25, 26, 27, 28, 29, 30, 31, 32, 33, 34, 35, 36, 37, 38, 39, 40, 41, 42, 94, 95, 56, 57, 58, 59, 60, 61, 62, 63, 64, 65, 66, 67, 45, 46, 68, 91, 92, 96, 97, 48, 49, 50, 51, 98, 99, 100);
+var poseVert = stage(0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15, 16, 17, 18, 19, 20, 21, 22, 23, 24, 25, 26, 27, 28, 29, 30, 31, 32, 33, 34, 35, 36, 37, 38, 39, 40, 41, 42, 43, 48, 49, 50, 51, 54, 55, 56, 57, 58, 59, 60, 61, 62, 63, 64, 65, 66, 67, 68, 45, 46, 69, 70, 71, 72, 73, 74, 75, 76, 77, 78, 79, 80, 81);
+var bladeVert = stage(82, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15, 16, 17, 18, 19, 20, 21, 22, 23, 24, 25, 26, 27, 28, 29, 30, 31, 32, 33, 34, 35, 36, 37, 38, 39, 40, 41, 42, 49, 50, 83, 84, 85, 86);
+var bladeFrag = stage(1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15, 16, 17, 18, 19, 20, 21, 22, 23, 24, 25, 26, 27, 28, 29, 30, 31, 32, 33, 34, 35, 36, 37, 38, 39, 40, 41, 42, 87, 55, 56, 57, 58, 59, 60, 61, 62, 63, 64, 65, 66, 67, 68, 45, 46, 69, 70, 78, 79, 88, 89, 90, 49, 50, 91);
+var groundVert = stage(1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15, 16, 17, 18, 19, 20, 21, 22, 23, 24, 25, 26, 27, 28, 29, 30, 31, 32, 33, 34, 35, 36, 37, 38, 39, 40, 41, 42, 92, 93, 94);
+var groundFrag = stage(1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15, 16, 17, 18, 19, 20, 21, 22, 23, 24, 25, 26, 27, 28, 29, 30, 31, 32, 33, 34, 35, 36, 37, 38, 39, 40, 41, 42, 95, 96, 56, 57, 58, 59, 60, 61, 62, 63, 64, 65, 66, 67, 68, 45, 46, 69, 92, 93, 97, 98, 48, 49, 50, 51, 99, 100, 101);
+var skyVert = stage(1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15, 16, 17, 18, 19, 20, 21, 22, 23, 24, 25, 26, 27, 28, 29, 30, 31, 32, 33, 34, 35, 36, 37, 38, 39, 40, 41, 42, 102, 103, 104);
+var skyFrag = stage(1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15, 16, 17, 18, 19, 20, 21, 22, 23, 24, 25, 26, 27, 28, 29, 30, 31, 32, 33, 34, 35, 36, 37, 38, 39, 40, 41, 42, 105, 56, 57, 58, 59, 60, 61, 62, 63, 64, 65, 66, 67, 68, 45, 46, 69, 106, 107);
+var filmVert = stage(108);
+var filmFrag = stage(109, 110, 111);
+var sunVert = stage(1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15, 16, 17, 18, 19, 20, 21, 22, 23, 24, 25, 26, 27, 28, 29, 30, 31, 32, 33, 34, 35, 36, 37, 38, 39, 40, 41, 42, 112);
+var bladeShadowVert = stage(82, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15, 16, 17, 18, 19, 20, 21, 22, 23, 24, 25, 26, 27, 28, 29, 30, 31, 32, 33, 34, 35, 36, 37, 38, 39, 40, 41, 42, 49, 50, 83, 84, 85, 113);
+var bladeShadowFrag = stage(114);
+var nothingFrag = stage(115);
+var hostBladeFrag = stage(116, 117, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15, 16, 17, 18, 19, 20, 21, 22, 23, 24, 25, 26, 27, 28, 29, 30, 31, 32, 33, 34, 35, 36, 37, 38, 39, 40, 41, 42, 87, 55, 56, 57, 58, 59, 60, 61, 62, 63, 64, 65, 66, 67, 68, 45, 46, 69, 70, 78, 79, 88, 89, 90, 49, 50, 91);
+var hostGroundFrag = stage(118, 117, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15, 16, 17, 18, 19, 20, 21, 22, 23, 24, 25, 26, 27, 28, 29, 30, 31, 32, 33, 34, 35, 36, 37, 38, 39, 40, 41, 42, 95, 96, 56, 57, 58, 59, 60, 61, 62, 63, 64, 65, 66, 67, 68, 45, 46, 69, 92, 93, 97, 98, 48, 49, 50, 51, 99, 100, 101);
 
 // src/sow/pages.ts
 var sownPageBlades = 2048;
@@ -3449,9 +3452,10 @@ var classes = [
   { segments: 16, above: 120, columns: 3 },
   { segments: 8, above: 26, columns: 3 },
   { segments: 4, above: 5, columns: 2 },
-  { segments: 2, above: -1, columns: 2 }
+  { segments: 2, above: -1, columns: 2 },
+  { segments: bladeShadowSegments, above: Infinity, columns: 2 }
 ];
-var shadowClass = 2;
+var shadowClass = 4;
 var lodShare = (pixels, threshold) => Math.min(Math.max(pixels / threshold, 1 / 256), lodFullShare);
 function sparseShare(view, share, distance) {
   if (view.sparseFrom <= 0 || distance <= view.sparseFrom) return 1;
@@ -4019,6 +4023,7 @@ var Parts = class {
       const bySun = frameBlock(this.scene, input);
       sunPlanes.forEach((plane, i) => bySun.floats(`view.planes[${i}]`, plane));
       bySun.floats("view.minWidth", [0]);
+      bySun.floats("fixedTessellation", [bladeShadowSegments]);
       bySun.words("view.cullMask", [cullDistance | cullFrustum | leaveThinned]);
       this.setFrame(bySun);
       this.setGroups(casters);

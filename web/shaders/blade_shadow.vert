@@ -6,7 +6,8 @@ out float outDepth;
 
 void main()
 {
-    const Ribbon ribbon = recordedRibbon();
+    Ribbon ribbon = recordedRibbon();
+    ribbon.fold = 0.0;
     outSeed = ribbon.seed;
     outDepth = 0.0;
     gl_Position = vec4(2.0, 2.0, 2.0, 1.0);

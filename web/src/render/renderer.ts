@@ -1,4 +1,4 @@
-import { bladeShadowTexels, cullDistance, cullFrustum, leaveThinned, unsettledTurn } from "../generated/layout";
+import { bladeShadowSegments, bladeShadowTexels, cullDistance, cullFrustum, leaveThinned, unsettledTurn } from "../generated/layout";
 import * as shaders from "../generated/shaders";
 import { bladeWords } from "../format/blades";
 import { fail } from "../format/error";
@@ -403,6 +403,7 @@ class Parts {
       const bySun = frameBlock(this.scene, input);
       sunPlanes.forEach((plane, i) => bySun.floats(`view.planes[${i}]`, plane));
       bySun.floats("view.minWidth", [0]);
+      bySun.floats("fixedTessellation", [bladeShadowSegments]);
       bySun.words("view.cullMask", [cullDistance | cullFrustum | leaveThinned]);
       this.setFrame(bySun);
       this.setGroups(casters);

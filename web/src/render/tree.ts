@@ -1,4 +1,4 @@
-import { lodFullShare, maxHeightCompensation, outlineMost } from "../generated/layout";
+import { bladeShadowSegments, lodFullShare, maxHeightCompensation, outlineMost } from "../generated/layout";
 import { Patches, patchWord, patchWords } from "../format/patches";
 import { Field } from "../format/field";
 import { ribbonsOf } from "../format/texts";
@@ -27,10 +27,11 @@ export const classes = [
   { segments: 8, above: 26, columns: 3 },
   { segments: 4, above: 5, columns: 2 },
   { segments: 2, above: -1, columns: 2 },
-] as const;
+  { segments: bladeShadowSegments, above: Infinity, columns: 2 },
+];
 
 /** The class of blades that only cast shadows. */
-export const shadowClass = 2;
+export const shadowClass = 4;
 
 /** Groups of blades to draw, by class: patch, number of the first blade in the patch, blades. */
 export interface Groups {
