@@ -3,6 +3,7 @@
 #include "shaders/blade/blade_light.glsl"
 #include "shaders/shared/octahedral.h"
 #include "shaders/shared/ribbon.h"
+#include "web/shaders/middle.glsl"
 
 in vec3 outPosition;
 in vec4 outPlace;
@@ -19,6 +20,13 @@ void main()
 {
     // A ribbon that is drawn wider than it is keeps a share of its samples. WebGL cannot choose among the samples of a
     // pixel: unless each is drawn alone, the ribbon keeps or drops all of them, with the same mean.
+    vec3 position = inMiddle(outPosition);
+    vec2 place = inMiddle(outPlace.xy);
+    // The middle lies beside the ribbon: few of the pixel's samples show it.
+    if (abs(place.x) > 1.0 || place.y < 0.0 || place.y > 1.0) {
+        position = outPosition;
+        place = outPlace.xy;
+    }
     const uint seed = outBend.z & 0xffffu;
     const uint kept = keptSamples(outPlace.z / max(outPlace.w, 1e-12), seed, samples);
     if (((kept >> sampleOfPixel) & 1u) == 0u)
@@ -27,10 +35,10 @@ void main()
     const vec4 bytes = unpackUnorm4x8(outSurface.w);
     const vec2 shade = unpackHalf2x16(outFrame.x);
     const vec2 bent = unpackHalf2x16(outFrame.w);
-    const float along = clamp(outPlace.y, 0.0, 1.0);
+    const float along = clamp(place.y, 0.0, 1.0);
     BladePoint point;
-    point.position = outPosition;
-    point.place = outPlace.xy;
+    point.position = position;
+    point.place = place;
     point.axis = decodeWideOctahedral(outFrame.y);
     point.up = decodeWideOctahedral(outFrame.z);
     point.fold = bent.x;
@@ -46,6 +54,6 @@ void main()
 #ifdef IN_HOST
     outColor = vec4(forHost(bladePicture(point)), 1.0);
 #else
-    outColor = vec4(bladePicture(point), 1.0 - softness(length(FRAME.view.eye - outPosition), 1.0));
+    outColor = vec4(bladePicture(point), 1.0 - softness(length(FRAME.view.eye - position), 1.0));
 #endif
 }

@@ -3,6 +3,7 @@
 #define AFTER_BLADES
 #include "shaders/preview/ground_light.glsl"
 #include "shaders/preview/image_probes.glsl"
+#include "web/shaders/middle.glsl"
 
 uniform sampler2D baseColor;
 uniform vec3 materialColor;
@@ -17,13 +18,13 @@ layout(location = 0) out vec4 outColor;
 
 void main()
 {
-    const ImageProbes probes = imageProbes(outUv, dFdx(outUv), dFdy(outUv), vec2(textureSize(baseColor, 0)));
+    const ImageProbes probes = imageProbes(inMiddle(outUv), dFdx(outUv), dFdy(outUv), vec2(textureSize(baseColor, 0)));
     vec3 texel = vec3(0.0);
     for (uint i = 0u; i < probes.count; ++i)
         texel += textureLod(baseColor, probes.first + float(i) * probes.step, probes.lod).rgb;
     GroundPoint point;
-    point.position = outPosition;
-    point.normal = outNormal;
+    point.position = inMiddle(outPosition);
+    point.normal = inMiddle(outNormal);
     point.albedo = materialColor * (texel / float(probes.count)) * outVertexColor.rgb;
     point.isDoubleSided = isDoubleSided;
 #ifdef IN_HOST

@@ -7,7 +7,6 @@ import json
 import os
 import re
 import shutil
-import signal
 import subprocess
 import sys
 import unittest
@@ -20,7 +19,7 @@ sys.path.insert(0, str(Path(__file__).resolve().parents[1] / "view"))
 
 from support import CliTest, IO, PROGRAM, ROOT, USAGE
 
-from file_server import FolderServer
+from browser import chromium, look
 from needs import needs
 
 sys.path.insert(0, str(ROOT / "scripts"))
@@ -112,27 +111,10 @@ class LongBrowser(CliTest):
         self.page = self.folder / "page"
         (self.page / "checks.html").write_bytes((HERE / "checks.html").read_bytes())
 
-    def chromium(self, address, *options):
-        return subprocess.Popen(
-            ["chromium", "--headless=new", "--no-sandbox", "--use-angle=swiftshader", "--enable-unsafe-swiftshader",
-             "--ignore-gpu-blocklist", "--disable-background-networking", "--no-first-run",
-             f"--user-data-dir={self.folder / 'profile'}", "--enable-logging=stderr", *options, address],
-            stdin=subprocess.DEVNULL, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True, start_new_session=True)
-
     def check(self, name, ranges=True, **settings):
         """What a check of checks.html finds. Fails if anything stands on the console."""
         (self.page / "settings.json").write_text(json.dumps({"check": name, **settings}), encoding="ascii")
-        with FolderServer(self.page, ranges) as server:
-            browser = self.chromium(f"{server.address}/checks.html")
-            try:
-                found = json.loads(server.posted.get(timeout=240))
-            finally:
-                os.killpg(browser.pid, signal.SIGTERM)
-                said = browser.communicate()[1]
-        self.assertNotIn("failed", found, found.get("failed"))
-        self.assertEqual(found["errors"], [])
-        self.assertEqual([line for line in said.splitlines() if ":CONSOLE" in line], [])
-        return found
+        return look(self, self.page, "checks.html", ranges=ranges)
 
     def assert_picture(self, camera):
         """The picture of a camera, each sample alone, and the curves of its blades are the viewer's."""
@@ -200,7 +182,7 @@ class LongBrowser(CliTest):
         self.assertIn("no WebGL 2", self.check("without")["message"]["text"])
 
     def test_a_page_that_is_opened_as_a_file_says_what_to_do(self):
-        browser = self.chromium((self.page / "index.html").as_uri(), "--dump-dom")
+        browser = chromium((self.page / "index.html").as_uri(), self.folder / "profile", "--dump-dom")
         text = browser.communicate(timeout=120)[0]
         self.assertIn("python3 -m http.server", text)
 

@@ -429,15 +429,18 @@ class Parts {
     picture.resolved.forEach((_, sample) => {
       const place = isFine ? samplePlaces[sample] : [0.5, 0.5];
       const jitter = [(2 * place[0] - 1) / width, (2 * place[1] - 1) / height];
+      const offset = [place[0] - 0.5, place[1] - 0.5];
       picture.begin();
       this.blade.use();
       gl.uniform2fv(this.blade.place("jitter"), jitter);
+      gl.uniform2fv(this.blade.place("sampleOffset"), offset);
       gl.uniform1ui(this.blade.place("samples"), picture.resolved.length);
       gl.uniform1ui(this.blade.place("sampleOfPixel"), sample);
       this.drawRibbons(this.blade, groups);
       // Ground and sky are lit where no blade hides them.
       this.ground.use();
       gl.uniform2fv(this.ground.place("jitter"), jitter);
+      gl.uniform2fv(this.ground.place("sampleOffset"), offset);
       this.drawGround(this.ground);
       this.sky.use();
       gl.bindVertexArray(this.nothing);

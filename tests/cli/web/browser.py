@@ -1,0 +1,34 @@
+"""Opens a page of a folder in Chromium without a window."""
+
+import json
+import os
+import signal
+import subprocess
+
+from file_server import FolderServer
+
+SWITCHES = ["--headless=new", "--no-sandbox", "--use-angle=swiftshader", "--enable-unsafe-swiftshader",
+            "--ignore-gpu-blocklist", "--disable-background-networking", "--no-first-run", "--enable-logging=stderr"]
+
+
+def chromium(address, profile, *switches):
+    """Starts it; output is read from its pipes. `profile`: a folder of its own."""
+    return subprocess.Popen(["chromium", *SWITCHES, f"--user-data-dir={profile}", *switches, address],
+                            stdin=subprocess.DEVNULL, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True,
+                            start_new_session=True)
+
+
+def look(test, folder, page, *switches, ranges=True, timeout=240):
+    """What a page of `folder` sends to the server. Fails the test if the page failed, or if anything stands on the
+    console."""
+    with FolderServer(folder, ranges) as server:
+        browser = chromium(f"{server.address}/{page}", test.folder / "profile", *switches)
+        try:
+            found = json.loads(server.posted.get(timeout=timeout))
+        finally:
+            os.killpg(browser.pid, signal.SIGTERM)
+            said = browser.communicate()[1]
+    test.assertNotIn("failed", found, found.get("failed"))
+    test.assertEqual(found["errors"], [])
+    test.assertEqual([line for line in said.splitlines() if ":CONSOLE" in line], [])
+    return found
