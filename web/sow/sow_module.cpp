@@ -1,5 +1,6 @@
-// The sower of the viewer as a module of WebAssembly: what grows in a unit, and which units an eye wants. All that it
-// computes is in src/field/seeds, src/render/sowing and shaders/shared; JavaScript (web/src/sow) brings the numbers.
+// The sower of the viewer as a module of WebAssembly: what grows in a unit, and which units an eye
+// wants. All that it computes is in src/field/seeds, src/render/sowing and shaders/shared;
+// JavaScript (web/src/sow) brings the numbers.
 #include "field/seeds/sow_unit.h"
 #include "render/frame/frame.h"
 #include "render/sowing/sow_choice.h"
@@ -121,7 +122,8 @@ SWARD_EXPORT("give") void give(void* memory)
     ::operator delete(memory);
 }
 
-/// The meadow and the field's species: see numbersOf() of web/src/sow/module.ts. `entries`: the chunk SEEDCELL.
+/// The meadow and the field's species: see numbersOf() of web/src/sow/module.ts. `entries`: the
+/// chunk SEEDCELL.
 SWARD_EXPORT("begin")
 void begin(const double* numbers, const field::SeedEntry* entries, std::size_t count)
 {
@@ -184,14 +186,16 @@ void begin(const double* numbers, const field::SeedEntry* entries, std::size_t c
 }
 
 /// Opens a cell of which JavaScript has undone zstd. Its bearing cubes are known from now on.
-SWARD_EXPORT("openCell") void openCell(std::uint32_t index, const std::byte* bytes, std::size_t count)
+SWARD_EXPORT("openCell")
+void openCell(std::uint32_t index, const std::byte* bytes, std::size_t count)
 {
     Sowing& own = sowing();
     field::SeedEntry entry = own.entries[index];
     entry.offset = 0;
     entry.bytes = count;
     const field::SeedsView alone{&own.meadow, {&entry, 1}, {bytes, count}};
-    auto cell = std::make_unique<field::UnitCell>(field::readSeedCell(alone, 0, "seeds"), *own.sower);
+    auto cell =
+        std::make_unique<field::UnitCell>(field::readSeedCell(alone, 0, "seeds"), *own.sower);
     own.choice->know(entry.cell, cell->cubes());
     own.cells[index] = std::move(cell);
 }
@@ -228,7 +232,11 @@ std::uint32_t find(const double* numbers, std::uint32_t eyes)
     own.shown.clear();
     for (const render::SowChoice::Wanted& one : own.wanted) {
         const auto index = static_cast<std::uint32_t>(own.choice->indexOf(one.unit.cell));
-        own.shown.push_back({one.score, one.isCell ? 1U : 0U, index, one.unit.level, one.unit.half,
+        own.shown.push_back({one.score,
+                             one.isCell ? 1U : 0U,
+                             index,
+                             one.unit.level,
+                             one.unit.half,
                              {one.unit.place[0], one.unit.place[1], one.unit.place[2]}});
     }
     return static_cast<std::uint32_t>(own.shown.size());
@@ -249,10 +257,11 @@ SWARD_EXPORT("score") float score(const WantedUnit* unit, const double* numbers,
     return sowing().choice->scoreOf(unitOf(*unit), all);
 }
 
-/// render::sparseDistance() of this field. `room`: blades that may be in memory; `blades`: of the whole meadow.
+/// render::sparseDistance() of this field. `room`: blades that may be in memory; `blades`: of the
+/// whole meadow.
 SWARD_EXPORT("sparseDistance")
-float sparseDistance(double room, double bladesPerArea, double blades, float lowX, float lowY, float lowZ, float highX,
-                     float highY, float highZ, float full, float nearest)
+float sparseDistance(double room, double bladesPerArea, double blades, float lowX, float lowY,
+                     float lowZ, float highX, float highY, float highZ, float full, float nearest)
 {
     render::FieldShape shape;
     shape.content.low = {lowX, lowY, lowZ};

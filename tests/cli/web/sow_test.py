@@ -2,7 +2,9 @@
 
 import hashlib
 import json
+import os
 import platform
+import shutil
 import subprocess
 import sys
 import unittest
@@ -12,6 +14,7 @@ sys.path.insert(0, str(Path(__file__).resolve().parents[1]))
 
 from support import CliTest, ROOT
 
+from browser import look
 from needs import needs
 
 HERE = Path(__file__).resolve().parent
@@ -58,6 +61,42 @@ class SownUnits(CliTest):
 
     def test_units_of_a_planet_are_those_of_sward(self):
         self.assert_sown_as_by_sward("sphere", "--density", "8", "--ground-up", "radial")
+
+
+class LongMemory(CliTest):
+    """A page does not grow: not on the device, and not in its heap. SWARD_WEB_SECONDS states how long it is used."""
+
+    def assert_memory_stays(self, field, room):
+        needs("chromium")
+        self.sward("export", field, "-o", "page/")
+        page = self.folder / "page"
+        shutil.copy(HERE / "checks.html", page)
+        seconds = float(os.environ.get("SWARD_WEB_SECONDS", "0"))
+        settings = {"check": "memory", "rounds": 8, "room": room, "seconds": seconds}
+        (page / "settings.json").write_text(json.dumps(settings), encoding="ascii")
+        found = look(self, page, "checks.html", "--enable-precise-memory-info", "--js-flags=--expose-gc",
+                     timeout=400 + seconds)
+        rounds = found["rounds"]
+        print(f"{len(rounds)} rounds in {found['seconds']:.0f} s, {found['frames']} frames; heap "
+              f"{[round(one['heap'] / 1e6, 1) for one in rounds[::max(len(rounds) // 8, 1)]]} MB; "
+              f"blades sown {rounds[-1]['sown']}; objects {rounds[-1]['objects']}")
+        # Pictures of both sizes, in motion and at rest, come and go in the first two rounds.
+        for one in rounds[2:] + [{"objects": found["after"]}]:
+            self.assertEqual(one["objects"], rounds[1]["objects"])
+        heaps = [one["heap"] for one in rounds[2:]]
+        self.assertLess(max(heaps[len(heaps) // 2:]), 1.05 * max(heaps[:len(heaps) // 2]) + 2e6)
+        self.assertEqual(found["drawnHidden"], 0)
+        return rounds
+
+    def test_a_page_of_stored_blades_does_not_grow(self):
+        self.assert_memory_stays(self.bake("hills", "--count", "20000"), 1)
+
+    def test_a_page_that_sows_does_not_grow(self):
+        """Its room is a fraction of what the rounds want, so units come and go."""
+        field = self.bake("hills", "--density", "25", "--budget", "1500", "--seeds", "always", to="seeds.sward")
+        rounds = self.assert_memory_stays(field, 40_000)
+        self.assertGreater(rounds[-1]["sown"], 1000)
+        self.assertLessEqual(max(one["sown"] for one in rounds), 40_960)
 
 
 class LongModule(CliTest):

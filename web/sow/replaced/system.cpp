@@ -1,4 +1,5 @@
-// What the sower needs of the system, of compression.cpp, and of exceptions, in a module of WebAssembly.
+// What the sower needs of the system, of compression.cpp, and of exceptions, in a module of
+// WebAssembly.
 #include "core/error.h"
 #include "core/expect.h"
 #include "core/plain_text.h"
@@ -23,8 +24,8 @@ void* __cxa_allocate_exception(std::size_t bytes)
     return std::malloc(bytes);
 }
 
-/// Sward throws nothing but Error, and the library is built without exceptions. A module is not used after it has
-/// thrown, so nothing is unwound.
+/// Sward throws nothing but Error, and the library is built without exceptions. A module is not
+/// used after it has thrown, so nothing is unwound.
 [[noreturn]] void __cxa_throw(void* thrown, void*, void (*)(void*))
 {
     const auto& error = *static_cast<const sward::Error*>(thrown);
@@ -101,8 +102,8 @@ void checkClaim(std::span<const std::byte> stored, std::size_t rawBytes, const s
         fail(ErrorKind::input, "{}: the compressed data does not hold {} bytes", place, rawBytes);
 }
 
-void decompress(std::span<const std::byte> stored, std::size_t elementBytes, std::span<std::byte> raw,
-                const std::string&)
+void decompress(std::span<const std::byte> stored, std::size_t elementBytes,
+                std::span<std::byte> raw, const std::string&)
 {
     const std::size_t count = raw.size() / elementBytes;
     for (std::size_t byte = 0; byte < elementBytes; ++byte)
