@@ -48,14 +48,7 @@ add_library(sward_imgui INTERFACE)
 target_include_directories(sward_imgui SYSTEM INTERFACE ${imgui_INCLUDE_DIRS})
 target_link_libraries(sward_imgui INTERFACE ${IMGUI_LIBRARY} glfw Vulkan::Vulkan sward_stb)
 
-# The letters of the viewer's panels, compiled in.
-set(SWARD_FONTS "")
-foreach(font Roboto-Regular.ttf Roboto-Medium.ttf)
-  find_file(font_file ${font} PATHS /usr/share/fonts/truetype/roboto/unhinted/RobotoTTF
-            NO_CACHE REQUIRED)
-  list(APPEND SWARD_FONTS ${font_file})
-  unset(font_file)
-endforeach()
+include(fonts)
 
 # The Python module, for the distribution's own Python, whichever comes first in PATH. Not under sanitizers, whose
 # libraries Python would have to load first.

@@ -16,11 +16,20 @@ add_library(sward_windows_headers INTERFACE)
 target_include_directories(sward_windows_headers SYSTEM INTERFACE ${included})
 target_compile_definitions(sward_windows_headers INTERFACE
   NOMINMAX WIN32_LEAN_AND_MEAN _WIN32_WINNT=0x0A00 NTDDI_VERSION=0x0A000007
-  FMT_HEADER_ONLY SPDLOG_HEADER_ONLY SPDLOG_FMT_EXTERNAL SPDLOG_EOL="\\n" XXH_INLINE_ALL)
-foreach(name fmt::fmt spdlog::spdlog glm::glm nlohmann_json::nlohmann_json CLI11::CLI11 PkgConfig::xxhash Vulkan::Headers)
+  SPDLOG_HEADER_ONLY SPDLOG_FMT_EXTERNAL SPDLOG_EOL="\\n" XXH_INLINE_ALL)
+foreach(name spdlog::spdlog glm::glm nlohmann_json::nlohmann_json CLI11::CLI11 PkgConfig::xxhash Vulkan::Headers)
   add_library(${name} INTERFACE IMPORTED GLOBAL)
   target_link_libraries(${name} INTERFACE sward_windows_headers)
 endforeach()
+
+# Compiled once: as a library of headers it would take every source some seconds.
+set(fmt_source ${CMAKE_SOURCE_DIR}/build/packages/sources/fmt/source/src/format.cc)
+if(NOT EXISTS ${fmt_source})
+  message(FATAL_ERROR "${fmt_source} is missing; scripts/install-dependencies --windows unpacks it")
+endif()
+add_library(sward_fmt STATIC ${fmt_source})
+target_link_libraries(sward_fmt PUBLIC sward_windows_headers)
+add_library(fmt::fmt ALIAS sward_fmt)
 
 set(zstd ${CMAKE_SOURCE_DIR}/build/packages/sources/zstd/source/lib)
 file(GLOB zstd_sources ${zstd}/common/*.c ${zstd}/compress/*.c ${zstd}/decompress/*.c)

@@ -1,10 +1,11 @@
 # The programs for 64-bit Windows: sward.dll (the C interface, for C and C++ of any compiler) with its import libraries,
-# sward-view.exe without its window, and sward.exe. `scripts/build windows` builds them on Linux; docs/windows.md.
+# sward-view.exe, and sward.exe. `scripts/build windows` builds them on Linux; docs/windows.md.
 
 enable_language(C)
 include(compile_options)
 include(windows/dependencies)
 include(windows/offline_dependencies)
+include(windows/window_dependencies)
 include(libraries)
 include(c_interface)
 include(embed)

@@ -59,7 +59,7 @@ MAY_USE = {
     "apps_lidar": "core shared field lidar apps_common fmt glm cli11",
     "sward": "core shared terrain field interchange lidar trace bake apps_common apps_lidar fmt glm nlohmann cli11",
     "sward_view": "core shared shaders field lidar gpu render presentation apps_common apps_lidar fmt glm nlohmann cli11 "
-                  "posix vulkan glfw imgui stb",
+                  "vulkan glfw imgui stb",
     "python": "core shared terrain field interchange bake gpu render presentation apps_common sward sward_view "
               "fmt glm cli11 pybind11",
 }

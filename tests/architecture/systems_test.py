@@ -17,8 +17,7 @@ SYSTEM_ASKED = re.compile(r"^\s*#\s*(?:if|elif|ifdef|ifndef)\b.*\b(?:_WIN32|_WIN
 POSIX = re.compile(r"^\s*#\s*include\s*<(?:sys/\w+|unistd|fcntl|spawn|poll|dlfcn|pthread)\.h>")
 # What is compiled for both systems, besides core.
 COMMON = ("terrain/", "src/field/", "src/interchange/", "src/trace/", "src/bake/", "src/gpu/", "src/render/", "src/presentation/",
-          "src/c/", "src/apps/common/", "src/apps/sward/", "src/apps/sward_view/headless/", "src/apps/sward_view/scene/",
-          "src/apps/sward_view/fields/baking")
+          "src/c/", "src/apps/")
 # What Windows alone has.
 ALONE = {"src/core/system/native_windows.cpp", "src/core/system/narrow_text_windows.cpp"}
 
@@ -74,7 +73,9 @@ class Systems(unittest.TestCase):
              ["src/core/b_posix.cpp: src/core/b.h is missing", "src/core/b_windows.cpp: src/core/b.h is missing"]),
             ({"src/gpu/b.h": "", "src/gpu/b_posix.cpp": "", "src/gpu/b_windows.cpp": ""},
              ["src/gpu/b_posix.cpp: a twin outside of core", "src/gpu/b_windows.cpp: a twin outside of core"]),
-            ({"src/apps/sward_view/files/b.cpp": "#include <unistd.h>\n#if defined(__x86_64__)\n"}, []),
+            ({"src/apps/sward_view/files/b.cpp": "#include <unistd.h>\n#if defined(__x86_64__)\n"},
+             ["src/apps/sward_view/files/b.cpp:1: a header of Linux outside of a twin"]),
+            ({"src/godot/b.cpp": "#include <unistd.h>\n"}, []),
         )
         for files, wanted in planted:
             with self.subTest(files=files), tempfile.TemporaryDirectory() as folder:

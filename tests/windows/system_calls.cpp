@@ -1,8 +1,10 @@
 // The laws of core's twins for Windows, those of tests/unit/core that need no call of Linux. Usage:
 // system_calls FOLDER. Prints each law that does not hold; the exit code is their number. It starts
-// itself as a child, with a word instead of the folder: say, wait.
+// itself as a child, with a word instead of the folder: say, wait, echo,
+// hold. With the arguments of ffmpeg it writes its input into the file of the last.
 #include "core/error.h"
 #include "core/files/atomic_file.h"
+#include "core/files/file_lock.h"
 #include "core/files/mapped_file.h"
 #include "core/files/new_name.h"
 #include "core/files/piece_file.h"
@@ -10,6 +12,7 @@
 #include "core/process/child_process.h"
 #include "core/process/process_id.h"
 #include "core/process/program_path.h"
+#include "core/process/user_folders.h"
 #include "core/system/arguments.h"
 #include "core/system/end_requests.h"
 #include "core/system/new_folder.h"
@@ -21,6 +24,7 @@
 #include <fmt/core.h>
 
 #include <algorithm>
+#include <array>
 #include <atomic>
 #include <cerrno>
 #include <chrono>
@@ -181,6 +185,44 @@ void checkReading(const fs::path& folder)
     law(entries(folder) == 2, "a scratch file goes");
 }
 
+// `self`: this program, which holds a lock as a child.
+void checkLocks(const fs::path& folder, const fs::path& self)
+{
+    const fs::path path = folder / ".\xc3\xa4.lock";
+    {
+        std::optional<FileLock> held = FileLock::tryTake(path);
+        law(held && held->hasMadeFile(), "a lock is taken");
+        held->write("long text");
+        held->write("text");
+        law(held->text() == "text", "a lock file has a text");
+        law(!FileLock::tryTake(path), "a lock has one holder");
+        law(says(complaintOf([&] { FileLock::take(path, std::chrono::milliseconds(20)); }), "held"),
+            "who waits for it is told");
+        FileLock moved = std::move(*held);
+        moved.removeFile();
+        law(!fs::exists(path) && FileLock::tryTake(path), "its file may go, and is made again");
+    }
+    law(fs::exists(path), "a lock file stays");
+    {
+        const std::optional<FileLock> again = FileLock::tryTake(path);
+        law(again && !again->hasMadeFile(), "and is taken again");
+    }
+    {
+        ChildProcess child({self.string(), "hold", path.string()});
+        while (child.said().empty() && !child.end())
+            std::this_thread::sleep_for(std::chrono::milliseconds(5));
+        law(!FileLock::tryTake(path), "another process has it");
+    }
+    law(FileLock::tryTake(path).has_value(),
+        "the end of its process lets it go, however that ends");
+    law(says(complaintOf([&] { FileLock::tryTake(folder / "none" / "lock"); }), "cannot be made"),
+        "a missing folder takes none");
+    ProcessName own = ProcessName::own();
+    law(own.isAlive(), "this process is alive");
+    own.start += "1";
+    law(!own.isAlive(), "one with its number is another");
+}
+
 void checkNewNames(const fs::path& folder)
 {
     const auto text = [&](const char* name) { return (folder / name).string(); };
@@ -228,7 +270,8 @@ void checkChildren(const fs::path& folder)
     const fs::path self = programPath();
     law(isProgram(self) && !isProgram(folder), "a program knows its file");
     law(programFile("a") == "a.exe", "a program has an ending");
-    const std::vector<std::string> words{"a \xc3\xa4", "\"", "\\", "", "b\\\\\" c\\", "\xe8\x8d\x89"};
+    const std::vector<std::string> words{"a \xc3\xa4", "\"",          "\\",
+                                         "",           "b\\\\\" c\\", "\xe8\x8d\x89"};
     std::vector<std::string> arguments{self.string(), "say"};
     arguments.insert(arguments.end(), words.begin(), words.end());
     ChildProcess child(arguments);
@@ -250,11 +293,34 @@ void checkChildren(const fs::path& folder)
             "of another kind",
         "a missing program is refused");
 
+    ChildProcess echo({self.string(), "echo"}, ChildTalk::answers);
+    const std::string text(std::size_t(1) << 20, 'x');
+    std::string_view rest = text;
+    std::string answered;
+    while (!rest.empty() && !echo.end()) {
+        rest.remove_prefix(echo.offer(rest));
+        answered += echo.answered().value_or("");
+    }
+    law(echo.give(" end"), "a child takes bytes");
+    echo.endInput();
+    while (const std::optional<std::string> more = echo.answered())
+        answered += *more;
+    law(answered == text + " end", "a child answers what it was given");
+    law(echo.endWithin(std::chrono::seconds(60)) && echo.end()->exitCode == 0 &&
+            echo.said() == "all\n",
+        "the end of its input ends it");
+    law(!echo.give("more") && echo.offer("more") == 0, "a child that has ended takes nothing");
+    law(runChild({self.string(), "say", "a"}).said == "a|error\n", "a child is run to its end");
+    law(programNamed("cmd").filename() == "cmd.exe" && programNamed("no-such-program").empty(),
+        "a program is found by its name");
+    law(userStateFolder().is_absolute() && userHomeFolder().is_absolute(), "the user has folders");
+
     std::ofstream(folder / "input") << "ab";
     std::FILE* const input = std::fopen((folder / "input").string().c_str(), "rb");
     std::string bytes(8, ' ');
     constexpr std::chrono::milliseconds none{0};
-    law(readArriving(::_fileno(input), bytes, none) == 2u && bytes.starts_with("ab"), "a file arrives");
+    law(readArriving(::_fileno(input), bytes, none) == 2u && bytes.starts_with("ab"),
+        "a file arrives");
     law(readArriving(::_fileno(input), bytes, none) == 0u, "and ends");
     std::fclose(input);
     law(processId() != 0, "a process has a number");
@@ -272,6 +338,16 @@ int actAsChild(const std::vector<std::string>& arguments)
         fmt::print(stderr, "error\n");
         return 7;
     }
+    if (arguments.at(1) == "echo") {
+        std::array<char, 4096> bytes{};
+        while (const std::size_t count = std::fread(bytes.data(), 1, bytes.size(), stdin))
+            std::fwrite(bytes.data(), 1, count, stdout);
+        fmt::print(stderr, "all\n");
+        return 0;
+    }
+    std::optional<FileLock> held;
+    if (arguments.at(1) == "hold")
+        held = FileLock::take(arguments.at(2), std::chrono::seconds(10));
     listenToEndRequests([]() noexcept { isAsked = true; });
     fmt::print("begun\n");
     std::fflush(stdout);
@@ -286,8 +362,16 @@ int main(int argc, char** argv)
 {
     prepareStandardStreams();
     const std::vector<std::string> arguments = programArguments(argc, argv);
-    if (arguments.at(1) == "say" || arguments.at(1) == "wait")
-        return actAsChild(arguments);
+    if (arguments.at(1) == "-y") {
+        std::ofstream film(fs::path(arguments.back()), std::ios::binary);
+        std::array<char, 4096> bytes{};
+        while (const std::size_t count = std::fread(bytes.data(), 1, bytes.size(), stdin))
+            film.write(bytes.data(), static_cast<std::streamsize>(count));
+        return 0;
+    }
+    for (const char* word : {"say", "wait", "echo", "hold"})
+        if (arguments.at(1) == word)
+            return actAsChild(arguments);
     const fs::path top = arguments.at(1);
     auto folder = [&, i = 0]() mutable {
         fs::path made = top / std::to_string(i++);
@@ -298,6 +382,7 @@ int main(int argc, char** argv)
     checkAtomicFiles(folder());
     checkOpenFiles(folder());
     checkReading(folder());
+    checkLocks(folder(), programPath());
     checkNewNames(folder());
     checkRest(folder());
     checkChildren(folder());

@@ -11,6 +11,9 @@ import unittest
 from pathlib import Path
 
 ROOT = Path(__file__).resolve().parents[2]
+sys.path.append(str(ROOT / "tests/viewer"))
+from display import Display  # noqa: E402
+
 LINUX = ROOT / "build" / "release" / "bin"
 WINDOWS = ROOT / "build" / "windows" / "bin"
 WINE = next((found for name in ("/usr/lib/wine/wine64", "wine64", "wine") if (found := shutil.which(name))), None)
@@ -22,20 +25,16 @@ PATIENCE = 300  # seconds
 
 @functools.cache
 def display():
-    """The name of an X server: without one, Wine has no Vulkan."""
-    reader, writer = os.pipe()
-    server = subprocess.Popen(["Xvfb", "-displayfd", str(writer), "-screen", "0", "640x480x24", "-nolisten", "tcp"],
-                              pass_fds=[writer], stderr=subprocess.DEVNULL)
-    atexit.register(server.terminate)
-    os.close(writer)
-    with os.fdopen(reader) as said:
-        return ":" + said.readline().strip()
+    """An X server for all programs: without one, Wine has no Vulkan."""
+    server = Display()
+    atexit.register(server.close)
+    return server
 
 
 @functools.cache
 def environment():
     """Of programs of both systems. The folder of Wine's own files is made once and kept."""
-    made = dict(os.environ, VK_ICD_FILENAMES=str(DRIVER), VK_DRIVER_FILES=str(DRIVER), LP_NUM_THREADS="0", DISPLAY=display(),
+    made = dict(os.environ, VK_ICD_FILENAMES=str(DRIVER), VK_DRIVER_FILES=str(DRIVER), LP_NUM_THREADS="0", DISPLAY=display().name,
                 WINEPREFIX=str(ROOT / "build" / "windows" / "wine"), WINEDEBUG="-all", WINEDLLOVERRIDES="mscoree,mshtml=")
     if not (Path(made["WINEPREFIX"]) / "system.reg").is_file():
         subprocess.run([WINE, "wineboot", "--init"], env=made, check=True, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
@@ -82,7 +81,7 @@ class Case(unittest.TestCase):
 
 def missing():
     """What the tests need and this machine lacks."""
-    needed = {"Wine (wine64)": WINE, "lld-link (lld)": shutil.which("lld-link"), "Xvfb (xvfb)": shutil.which("Xvfb"), "lavapipe (mesa-vulkan-drivers)": DRIVER,
+    needed = {"Wine (wine64)": WINE, "lld-link (lld)": shutil.which("lld-link"), "Xvfb (xvfb)": shutil.which("Xvfb"), "xdotool": shutil.which("xdotool"), "lavapipe (mesa-vulkan-drivers)": DRIVER,
               "build/windows (scripts/build windows)": (WINDOWS / "sward.exe").is_file(),
               "build/release (scripts/build release)": (LINUX / "sward-view").is_file()}
     return [what for what, is_there in needed.items() if not is_there]

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <filesystem>
+#include <string>
 
 namespace sward {
 
@@ -12,6 +13,10 @@ std::filesystem::path ownFolder();
 
 /// The file beside it, or anywhere, that holds the program `name`: with ".exe" on Windows.
 std::filesystem::path programFile(const std::filesystem::path& name);
+
+/// Path of an installed program, by its name without an ending: the first in $PATH. Empty if it is
+/// not installed.
+std::filesystem::path programNamed(const std::string& name);
 
 /// Whether `file` is a program that may be run.
 bool isProgram(const std::filesystem::path& file);

@@ -3,6 +3,8 @@
 #include <dlfcn.h>
 #include <unistd.h>
 
+#include <cstdlib>
+#include <sstream>
 #include <system_error>
 
 namespace sward {
@@ -29,6 +31,17 @@ std::filesystem::path ownFolder()
 std::filesystem::path programFile(const std::filesystem::path& name)
 {
     return name;
+}
+
+std::filesystem::path programNamed(const std::string& name)
+{
+    const char* path = std::getenv("PATH");
+    std::istringstream folders(path == nullptr ? "" : path);
+    for (std::string folder; std::getline(folders, folder, ':');)
+        if (std::filesystem::path program = std::filesystem::path(folder) / name;
+            isProgram(program))
+            return program;
+    return {};
 }
 
 bool isProgram(const std::filesystem::path& file)

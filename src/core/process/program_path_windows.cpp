@@ -1,6 +1,7 @@
 #include "core/process/program_path.h"
 #include "core/system/native_windows.h"
 
+#include <sstream>
 #include <system_error>
 #include <vector>
 
@@ -22,6 +23,20 @@ std::filesystem::path ownFolder()
 std::filesystem::path programFile(const std::filesystem::path& name)
 {
     return std::filesystem::path(name) += ".exe";
+}
+
+std::filesystem::path programNamed(const std::string& name)
+{
+    std::wistringstream folders(native::environmentOf(L"PATH"));
+    for (std::wstring folder; std::getline(folders, folder, L';');) {
+        // A folder whose name holds a semicolon stands in quotation marks; those are not split
+        // here.
+        std::erase(folder, L'"');
+        if (std::filesystem::path program = std::filesystem::path(folder) / programFile(name);
+            !folder.empty() && isProgram(program))
+            return program;
+    }
+    return {};
 }
 
 bool isProgram(const std::filesystem::path& file)

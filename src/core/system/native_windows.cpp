@@ -63,10 +63,19 @@ std::string lastReason()
     return reasonOf(::GetLastError());
 }
 
-Handle::~Handle()
+std::wstring environmentOf(const wchar_t* name)
+{
+    std::wstring text(::GetEnvironmentVariableW(name, nullptr, 0), L'\0');
+    // With room it returns the length without the zero at the end.
+    text.resize(::GetEnvironmentVariableW(name, text.data(), static_cast<DWORD>(text.size())));
+    return text;
+}
+
+void Handle::close()
 {
     if (isOpen())
         ::CloseHandle(handle_);
+    handle_ = nullptr;
 }
 
 HANDLE openShared(const wchar_t* path, DWORD access)

@@ -9,6 +9,7 @@
 #include <functional>
 #include <span>
 #include <string>
+#include <utility>
 
 namespace sward::native {
 
@@ -25,23 +26,35 @@ int errnoOf(DWORD code);
 /// The reason of the calling thread's last error.
 std::string lastReason();
 
+/// What a variable of the environment holds; empty if it is not set.
+std::wstring environmentOf(const wchar_t* name);
+
 /// Closes a handle; one of no file is allowed.
 class Handle {
 public:
+    Handle() = default;
     explicit Handle(HANDLE handle)
         : handle_(handle)
     {
     }
-    Handle(const Handle&) = delete;
-    Handle& operator=(const Handle&) = delete;
-    ~Handle();
+    Handle(Handle&& other) noexcept
+        : handle_(std::exchange(other.handle_, nullptr))
+    {
+    }
+    Handle& operator=(Handle&& other) noexcept
+    {
+        std::swap(handle_, other.handle_);
+        return *this;
+    }
+    ~Handle() { close(); }
+    void close();
 
     HANDLE get() const { return handle_; } ///< INVALID_HANDLE_VALUE or null if it is not open
     /// Whether there is something to close.
     bool isOpen() const { return handle_ != INVALID_HANDLE_VALUE && handle_ != nullptr; }
 
 private:
-    HANDLE handle_;
+    HANDLE handle_ = nullptr;
 };
 
 /// Opens an existing file such that others may write, rename and remove it meanwhile, as on Linux.

@@ -1,5 +1,6 @@
 #include "core/error.h"
 #include "core/files/atomic_file.h"
+#include "core/files/file_lock.h"
 #include "core/files/mapped_file.h"
 #include "core/files/piece_file.h"
 
@@ -200,6 +201,28 @@ TEST_F(Files, AreMappedAsTheyAre)
     EXPECT_THROW(MappedFile(folder / "missing"), Error);
     EXPECT_THROW(MappedFile{folder}, Error);
     EXPECT_THROW(readFile(folder / "a", 4), Error);
+}
+
+TEST_F(Files, AreLockedByOneHolderAndMayGoMeanwhile)
+{
+    const fs::path path = folder / "lock";
+    {
+        auto held = FileLock::tryTake(path);
+        ASSERT_TRUE(held.has_value());
+        EXPECT_TRUE(held->hasMadeFile());
+        held->write("long text");
+        held->write("text");
+        EXPECT_EQ(held->text(), "text");
+        EXPECT_FALSE(FileLock::tryTake(path).has_value());
+        EXPECT_THROW(FileLock::take(path, std::chrono::milliseconds(20)), Error);
+        held->removeFile();
+        EXPECT_TRUE(FileLock::tryTake(path).has_value()) << "a new file";
+    }
+    const auto again = FileLock::tryTake(path);
+    ASSERT_TRUE(again.has_value());
+    EXPECT_FALSE(again->hasMadeFile());
+    EXPECT_THROW(FileLock::tryTake(folder / "none" / "lock"), Error);
+    EXPECT_EQ(lockNameFor(folder / "a.json"), folder / ".a.json.lock");
 }
 
 } // namespace

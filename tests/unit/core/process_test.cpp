@@ -73,6 +73,54 @@ TEST(ChildProcess, RefusesAProgramThatIsMissing)
     }
 }
 
+TEST(ChildProcess, TakesBytesAndAnswers)
+{
+    ChildProcess child({"/bin/cat"}, ChildTalk::answers);
+    const std::string bytes(std::size_t(3) << 20, 'x');
+    std::string_view rest = bytes;
+    std::string answered;
+    while (!rest.empty()) {
+        rest.remove_prefix(child.offer(rest)); // never waits, although cat does
+        answered += child.answered().value();
+    }
+    child.endInput();
+    while (const std::optional<std::string> more = child.answered())
+        answered += *more;
+    EXPECT_TRUE(answered == bytes);
+    EXPECT_EQ(child.endWithin(std::chrono::seconds(60))->exitCode, 0);
+}
+
+TEST(ChildProcess, ThatReadsNoMoreIsNoticed)
+{
+    ChildProcess child({"/bin/sh", "-c", "read line; echo \"$line\"; exit 3"}, ChildTalk::takes);
+    EXPECT_TRUE(child.give("a line\n"));
+    EXPECT_EQ(child.endWithin(std::chrono::seconds(60))->exitCode, 3);
+    EXPECT_EQ(child.said(), "a line\n");
+    EXPECT_FALSE(child.give("more"));
+    EXPECT_EQ(child.offer("more"), 0u);
+    EXPECT_FALSE(
+        ChildProcess({"/bin/sleep", "1000"}).endWithin(std::chrono::milliseconds(1)).has_value());
+}
+
+TEST(ChildProcess, IsRunToItsEnd)
+{
+    // More than a pipe holds.
+    const ChildResult result = runChild({"/bin/sh", "-c", "head -c 300000 /dev/zero; exit 5"});
+    EXPECT_EQ(result.said.size(), 300000u);
+    EXPECT_EQ(result.end.exitCode, 5);
+}
+
+TEST(ProcessName, TellsAProcessFromOneThatHasItsNumberNow)
+{
+    ProcessName own = ProcessName::own();
+    EXPECT_TRUE(own.isAlive());
+    own.start += "1";
+    EXPECT_FALSE(own.isAlive());
+    own = ProcessName::own();
+    own.boot = "another";
+    EXPECT_FALSE(own.isAlive());
+}
+
 TEST(ArrivingBytes, ComeAsTheyArrive)
 {
     std::array<int, 2> ends{};
@@ -94,6 +142,8 @@ TEST(ProgramPath, IsThatOfThisProgram)
     EXPECT_TRUE(isProgram(programPath()));
     EXPECT_FALSE(isProgram(programPath().parent_path()));
     EXPECT_EQ(programFile("a"), "a");
+    EXPECT_TRUE(isProgram(programNamed("sh")));
+    EXPECT_TRUE(programNamed("no-such-program").empty());
     EXPECT_EQ(processId(), static_cast<std::uint64_t>(::getpid()));
 }
 

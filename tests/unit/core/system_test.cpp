@@ -1,6 +1,7 @@
 // Laws of core/system that hold on every system. tests/windows/system_calls.cpp has those of
 // Windows.
 #include "core/error.h"
+#include "core/process/user_folders.h"
 #include "core/system/arguments.h"
 #include "core/system/new_folder.h"
 #include "core/system/peak_memory.h"
@@ -9,8 +10,11 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cstdlib>
 #include <cstring>
 #include <filesystem>
+#include <optional>
+#include <string>
 
 namespace sward {
 namespace {
@@ -44,6 +48,28 @@ TEST(System, MakesNewFolders)
     EXPECT_THROW(makeNewFolder(first / "missing" / "a"), Error);
     std::filesystem::remove(first);
     std::filesystem::remove(second);
+}
+
+TEST(System, KnowsTheFoldersOfTheUser)
+{
+    const char* names[] = {"HOME", "XDG_STATE_HOME"};
+    std::optional<std::string> before[2];
+    for (int i = 0; i < 2; ++i)
+        if (const char* value = std::getenv(names[i]))
+            before[i] = value;
+    ::setenv("HOME", "/there/\xc3\xa4", 1);
+    ::setenv("XDG_STATE_HOME", "relative", 1);
+    EXPECT_EQ(userHomeFolder(), "/there/\xc3\xa4");
+    EXPECT_EQ(userStateFolder(), "/there/\xc3\xa4/.local/state") << "a relative path is ignored";
+    ::setenv("XDG_STATE_HOME", "/state", 1);
+    EXPECT_EQ(userStateFolder(), "/state");
+    ::unsetenv("HOME");
+    ::unsetenv("XDG_STATE_HOME");
+    EXPECT_TRUE(userHomeFolder().empty());
+    EXPECT_TRUE(userStateFolder().empty());
+    for (int i = 0; i < 2; ++i)
+        if (before[i])
+            ::setenv(names[i], before[i]->c_str(), 1);
 }
 
 } // namespace

@@ -1,9 +1,9 @@
 #include "apps/sward_view/files/file_browser.h"
 
 #include "core/lower_case.h"
+#include "core/process/user_folders.h"
 
 #include <algorithm>
-#include <cstdlib>
 #include <system_error>
 #include <utility>
 
@@ -94,9 +94,9 @@ void FileBrowser::step(int steps)
 
 fs::path FileBrowser::pathOf(const std::string& typed) const
 {
-    const char* home = std::getenv("HOME");
-    if (home != nullptr && (typed == "~" || typed.starts_with("~/")))
-        return fs::path(home) / (typed.size() > 2 ? typed.substr(2) : "");
+    if (typed == "~" || typed.starts_with("~/"))
+        if (const fs::path home = userHomeFolder(); !home.empty())
+            return home / (typed.size() > 2 ? typed.substr(2) : "");
     return (folder_ / typed).lexically_normal();
 }
 
@@ -104,7 +104,7 @@ std::string shortPath(const fs::path& path)
 {
     std::error_code error;
     const fs::path below = path.lexically_relative(fs::current_path(error));
-    return error || below.empty() || below.native().starts_with("..") ? path.string()
+    return error || below.empty() || below.string().starts_with("..") ? path.string()
                                                                       : below.string();
 }
 

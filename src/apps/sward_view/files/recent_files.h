@@ -6,8 +6,8 @@
 
 namespace sward::view {
 
-/// Recently opened inputs of all windows, newest first, stored in $XDG_STATE_HOME/sward/recent
-/// (~/.local/state by default). Ignores errors of the file: the list is not essential.
+/// Recently opened inputs of all windows, newest first, stored in stateFile("recent").
+/// Ignores errors of the file: the list is not essential.
 class RecentFiles {
 public:
     static constexpr std::size_t most = 10;

@@ -1,12 +1,10 @@
 #include "apps/sward_view/files/shader_sources.h"
 
-#include "apps/sward_view/files/child_process.h"
 #include "core/error.h"
 #include "core/files/mapped_file.h"
 #include "core/log.h"
-
-#include <sys/wait.h>
-#include <unistd.h>
+#include "core/process/child_process.h"
+#include "core/process/program_path.h"
 
 #include <algorithm>
 #include <cstring>
@@ -48,12 +46,12 @@ std::vector<std::string> words(const std::string& text)
     return result;
 }
 
-// Reads a make dependency file: "out: a b c".
+// Reads a make dependency file: "out: a b c". The colon of a drive has no space behind it.
 std::set<std::string> readDepfile(const fs::path& path)
 {
     std::ifstream in(path);
-    std::string text;
-    std::getline(in, text, ':');
+    for (std::string word; in >> word && !word.ends_with(':');)
+        continue;
     std::set<std::string> files;
     for (std::string file; in >> file;)
         files.insert(fs::path(file).lexically_normal().string());
@@ -77,9 +75,9 @@ std::string told(const std::string& said)
     return text;
 }
 
-bool endedWell(const ChildEnd& end)
+bool endedWell(const ChildResult& result)
 {
-    return WIFEXITED(end.status) && WEXITSTATUS(end.status) == 0;
+    return result.end.exitCode == 0;
 }
 
 std::string programOf(const char* name)
@@ -102,10 +100,6 @@ ShaderSources::ShaderSources(fs::path folder, std::span<const EmbeddedFile> buil
     if (folder_.filename() != "shaders")
         fail(ErrorKind::io, "{}: is not called 'shaders', as includes call it", folder_.string());
     known_ = last_ = look();
-    std::string name = (fs::temp_directory_path() / "sward-shaders.XXXXXX").string();
-    if (::mkdtemp(name.data()) == nullptr)
-        fail(ErrorKind::io, "{}: cannot make a folder: {}", name, std::strerror(errno));
-    scratch_ = name;
 }
 
 ShaderSources::~ShaderSources()
@@ -116,8 +110,6 @@ ShaderSources::~ShaderSources()
     }
     if (thread_.joinable())
         thread_.join();
-    std::error_code ignored;
-    fs::remove_all(scratch_, ignored);
 }
 
 ShaderSources::Look ShaderSources::look() const
@@ -207,7 +199,7 @@ void ShaderSources::begin(std::vector<std::size_t> touched)
 ShaderSources::Result ShaderSources::compile(std::size_t module) const
 {
     const std::string source = sourceOf(module);
-    const fs::path output = scratch_ / fileOf(module);
+    const fs::path output = scratch_.path() / fileOf(module);
     const fs::path depfile = output.string() + ".d";
     std::vector<std::string> glslang{programOf("glslangValidator")};
     for (std::string& flag : words(SWARD_GLSLANG_FLAGS))
@@ -218,13 +210,13 @@ ShaderSources::Result ShaderSources::compile(std::size_t module) const
          std::vector<std::string>{"-I" + folder_.parent_path().string(), "--depfile",
                                   depfile.string(), "-o", output.string(), source})
         glslang.push_back(std::move(argument));
-    ChildEnd end = runChild(std::move(glslang));
+    ChildResult end = runChild(glslang);
     if (endedWell(end)) {
         std::vector<std::string> validator{programOf("spirv-val")};
         for (std::string& flag : words(SWARD_SPIRV_VAL_FLAGS))
             validator.push_back(std::move(flag));
         validator.push_back(output.string());
-        end = runChild(std::move(validator));
+        end = runChild(validator);
     }
     if (!endedWell(end)) {
         const std::string complaint = told(end.said);

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "apps/common/temporary_folder.h"
 #include "core/embedded.h"
 
 #include <cstddef>
@@ -62,7 +63,7 @@ private:
     Result compile(std::size_t module) const;
 
     std::filesystem::path folder_;
-    std::filesystem::path scratch_; ///< output folder of the compiler
+    apps::TemporaryFolder scratch_{"sward-shaders"}; ///< output folder of the compiler
     std::span<const EmbeddedFile> builtIn_;
     Look known_;                                                 ///< stage at the last compilation
     Look last_;                                                  ///< stage at the last poll

@@ -1,11 +1,11 @@
 #include "apps/sward_view/files/state_file.h"
 
-#include "apps/sward_view/files/file_lock.h"
 #include "core/files/atomic_file.h"
+#include "core/files/file_lock.h"
 #include "core/files/mapped_file.h"
+#include "core/process/user_folders.h"
 
 #include <chrono>
-#include <cstdlib>
 #include <vector>
 
 namespace sward::view {
@@ -14,21 +14,11 @@ namespace {
 constexpr std::size_t largestState = std::size_t(8) << 20; ///< [bytes]
 constexpr std::chrono::milliseconds statePatience{1000};   ///< with a window that changes it
 
-std::filesystem::path stateFolder()
-{
-    const char* state = std::getenv("XDG_STATE_HOME");
-    if (state != nullptr && *state == '/')
-        return state;
-    const char* home = std::getenv("HOME");
-    return home != nullptr && *home == '/' ? std::filesystem::path(home) / ".local" / "state"
-                                           : std::filesystem::path();
-}
-
 } // namespace
 
 std::filesystem::path stateFile(const std::string& name)
 {
-    const std::filesystem::path folder = stateFolder();
+    const std::filesystem::path folder = userStateFolder();
     return folder.empty() ? folder : folder / "sward" / name;
 }
 

@@ -6,8 +6,8 @@
 
 namespace sward::view {
 
-/// Path of a file kept between runs: $XDG_STATE_HOME/sward/NAME (~/.local/state by default). Empty
-/// if there is no such folder.
+/// Path of a file kept between runs: sward/NAME in userStateFolder(). Empty if there is no
+/// such folder.
 std::filesystem::path stateFile(const std::string& name);
 
 /// Changes a state file that other windows change, too: under a lock, `change` gets its content

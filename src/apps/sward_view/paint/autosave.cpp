@@ -3,10 +3,10 @@
 #include "core/error.h"
 #include "core/files/atomic_file.h"
 #include "core/json/json_text.h"
+#include "core/process/process_id.h"
 
 #include <fmt/core.h>
 #include <nlohmann/json.hpp>
-#include <unistd.h>
 
 #include <algorithm>
 #include <cctype>
@@ -21,7 +21,7 @@ namespace fs = std::filesystem;
 using nlohmann::json;
 
 constexpr const char* autosaveEnding = ".strokes.autosave";
-constexpr int maxAutosaves = 1000;                     ///< of one name in a folder
+constexpr int maxAutosaves = 1000;                      ///< of one name in a folder
 constexpr std::chrono::milliseconds adoptPatience{250}; ///< others look at a lock for a moment
 
 fs::path autosaveName(const std::string& name, int number)

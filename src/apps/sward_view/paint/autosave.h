@@ -1,6 +1,6 @@
 #pragma once
 
-#include "apps/sward_view/files/file_lock.h"
+#include "core/files/file_lock.h"
 
 #include <cstddef>
 #include <filesystem>

@@ -1,24 +1,14 @@
 #include "apps/sward_view/paint/edit_session.h"
 
-#include "apps/sward_view/files/child_process.h"
 #include "apps/sward_view/files/sward_program.h"
 #include "core/error.h"
 #include "core/json/json_text.h"
 #include "core/log.h"
 
-#include <fcntl.h>
 #include <fmt/core.h>
 #include <nlohmann/json.hpp>
-#include <sys/socket.h>
-#include <sys/wait.h>
-#include <unistd.h>
 
-#include <array>
-#include <cerrno>
 #include <chrono>
-#include <csignal>
-#include <cstring>
-#include <thread>
 #include <utility>
 
 namespace sward::view {
@@ -28,55 +18,13 @@ using nlohmann::json;
 
 constexpr const char* editFormat = "sward edit 1";
 constexpr std::size_t longestAnswer = std::size_t(16) << 20; ///< [bytes]
-constexpr std::chrono::milliseconds endsIn{1000};            ///< after its input has ended
-constexpr std::chrono::milliseconds endPoll{5};
-constexpr int readsPerPoll = 64; ///< of 64 KiB
+constexpr std::chrono::milliseconds endsByItself{50};        ///< an idle one, after its input
+constexpr std::chrono::milliseconds endsIn{1000};            ///< a busy one, after it was asked to
 
-// A pair of ends that close on exec: [0] stays here, [1] becomes the child's.
-struct Ends {
-    Ends()
-    {
-        // A socket: writing to one whose reader has died can avoid SIGPIPE.
-        if (::socketpair(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC, 0, own.data()) != 0)
-            fail(ErrorKind::runtime, "cannot make a socket: {}", std::strerror(errno));
-        ::fcntl(own[0], F_SETFL, O_NONBLOCK);
-    }
-    Ends(const Ends&) = delete;
-    Ends& operator=(const Ends&) = delete;
-    ~Ends()
-    {
-        for (const int end : own)
-            if (end >= 0)
-                ::close(end);
-    }
-    int keep() { return std::exchange(own[0], -1); }
-
-    std::array<int, 2> own{-1, -1};
-};
-
-// Reads all bytes that have arrived, up to a bound. Returns whether the other end is still open.
-template <typename Take>
-bool readAll(int from, const Take& take)
+std::string howItEnded(const ChildProcess::End& end)
 {
-    std::array<char, 65536> buffer;
-    for (int i = 0; i < readsPerPoll; ++i) {
-        const ssize_t count = ::read(from, buffer.data(), buffer.size());
-        if (count > 0)
-            take(std::string_view(buffer.data(), static_cast<std::size_t>(count)));
-        else if (count == 0)
-            return false;
-        else if (errno != EINTR)
-            return errno == EAGAIN || errno == EWOULDBLOCK;
-    }
-    return true;
-}
-
-std::string howItEnded(int status)
-{
-    if (WIFSIGNALED(status))
-        return fmt::format("it was ended by signal {} ({})", WTERMSIG(status),
-                           ::strsignal(WTERMSIG(status)));
-    return fmt::format("it ended with exit code {}", WEXITSTATUS(status));
+    return end.exitCode ? fmt::format("it ended with exit code {}", *end.exitCode)
+                        : fmt::format("it was ended by {}", end.reason);
 }
 
 template <typename T>
@@ -134,15 +82,9 @@ std::vector<MovedStroke> movedIn(const json& from)
 
 } // namespace
 
-EditSession::EditSession(std::vector<std::string> command)
+EditSession::EditSession(const std::vector<std::string>& command)
+    : child_(std::make_unique<ChildProcess>(command, ChildTalk::answers))
 {
-    Ends asks;
-    Ends answers;
-    Ends said;
-    child_ = startTalkingChild(std::move(command), asks.own[1], answers.own[1], said.own[1]);
-    asks_ = asks.keep();
-    answers_ = answers.keep();
-    said_ = said.keep();
 }
 
 EditSession::~EditSession()
@@ -150,29 +92,17 @@ EditSession::~EditSession()
     close();
 }
 
-// Ends its input, upon which it removes its files and ends; a busy one is ended by a signal.
+// Ends its input, upon which it removes its files and ends; a busy one is asked to end.
 void EditSession::close()
 {
-    if (asks_ >= 0)
-        ::close(std::exchange(asks_, -1));
-    if (child_ > 0) {
-        ::kill(child_, SIGTERM);
-        const auto until = std::chrono::steady_clock::now() + endsIn;
-        int status = 0;
-        while (::waitpid(child_, &status, WNOHANG) == 0) {
-            if (std::chrono::steady_clock::now() >= until) {
-                ::kill(child_, SIGKILL);
-                while (::waitpid(child_, &status, 0) < 0 && errno == EINTR)
-                    continue;
-                break;
-            }
-            std::this_thread::sleep_for(endPoll);
-        }
-        child_ = -1;
+    if (!child_)
+        return;
+    child_->endInput();
+    if (!child_->endWithin(endsByItself)) {
+        child_->askToEnd();
+        child_->endWithin(endsIn);
     }
-    for (int* const end : {&answers_, &said_})
-        if (*end >= 0)
-            ::close(std::exchange(*end, -1));
+    child_.reset();
 }
 
 void EditSession::end(std::string why)
@@ -191,23 +121,19 @@ std::uint64_t EditSession::ask(std::string_view keys)
 
 void EditSession::writeOut()
 {
-    while (asks_ >= 0 && !outgoing_.empty()) {
-        const ssize_t count = ::send(asks_, outgoing_.data(), outgoing_.size(), MSG_NOSIGNAL);
-        if (count < 0 && errno == EINTR)
-            continue;
-        if (count <= 0)
-            return; // poll() tries again, and notices its end
-        outgoing_.erase(0, static_cast<std::size_t>(count));
-    }
+    // What it does not take now, poll() offers again, and notices its end.
+    if (child_)
+        outgoing_.erase(0, child_->offer(outgoing_));
 }
 
 void EditSession::poll()
 {
-    if (child_ <= 0)
+    if (!child_)
         return;
     writeOut();
-    readAll(said_, [this](std::string_view text) { takeSaid(text); });
-    const bool isOpen = readAll(answers_, [this](std::string_view text) { incoming_ += text; });
+    takeSaid(child_->said());
+    const std::optional<std::string> answered = child_->answered();
+    incoming_ += answered.value_or("");
     std::size_t from = 0;
     for (std::size_t end = 0; failure_.empty(); from = end + 1) {
         end = incoming_.find('\n', from);
@@ -220,15 +146,14 @@ void EditSession::poll()
         return;
     if (incoming_.size() > longestAnswer)
         return end(fmt::format("its answer is longer than {} MiB", longestAnswer >> 20));
-    if (isOpen)
+    if (answered)
         return;
     // Its end follows that of its output.
-    int status = 0;
-    if (::waitpid(child_, &status, WNOHANG) != child_)
+    const std::optional<ChildProcess::End> ended = child_->end();
+    if (!ended)
         return;
-    readAll(said_, [this](std::string_view text) { takeSaid(text); });
-    child_ = -1;
-    end(howItEnded(status) + (lastSaid_.empty() ? "" : ": " + lastSaid_));
+    takeSaid(child_->said());
+    end(howItEnded(*ended) + (lastSaid_.empty() ? "" : ": " + lastSaid_));
 }
 
 std::optional<EditAnswer> EditSession::take()

@@ -1,13 +1,13 @@
 #pragma once
 
 #include "apps/sward_view/fields/baking.h"
-
-#include <sys/types.h>
+#include "core/process/child_process.h"
 
 #include <cstddef>
 #include <cstdint>
 #include <deque>
 #include <filesystem>
+#include <memory>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -61,7 +61,7 @@ class EditSession {
 public:
     /// Starts `command`: the path of a program and its arguments. Throws Error{runtime} if it
     /// cannot be run.
-    explicit EditSession(std::vector<std::string> command);
+    explicit EditSession(const std::vector<std::string>& command);
     EditSession(const EditSession&) = delete;
     EditSession& operator=(const EditSession&) = delete;
     ~EditSession();
@@ -91,10 +91,7 @@ private:
     void end(std::string why);
     void close();
 
-    pid_t child_ = -1;
-    int asks_ = -1;    ///< its stdin
-    int answers_ = -1; ///< its stdout
-    int said_ = -1;    ///< its stderr
+    std::unique_ptr<ChildProcess> child_; ///< null: it has ended
     std::string outgoing_;
     std::string incoming_;
     std::string unfinished_; ///< line of its stderr

@@ -1,10 +1,10 @@
 #pragma once
 
 #include "apps/sward_view/picture/png.h"
-
-#include <sys/types.h>
+#include "core/process/child_process.h"
 
 #include <filesystem>
+#include <memory>
 #include <string>
 
 namespace sward::view {
@@ -34,14 +34,13 @@ public:
 
 private:
     [[noreturn]] void failAsFfmpegDid();
-    int end(int signal);
+    void takeSaid();
 
     std::filesystem::path path_;
     std::filesystem::path part_;
     glm::uvec2 size_;
-    pid_t child_ = -1;
-    int pictures_ = -1; ///< its stdin
-    int said_ = -1;     ///< its stderr
+    std::unique_ptr<ChildProcess> ffmpeg_;
+    std::string said_; ///< by ffmpeg
 };
 
 } // namespace sward::view

@@ -1,13 +1,14 @@
 // The brush: strokes on the ground, and the session that bakes them.
-#include "apps/sward_view/files/sward_program.h"
 #include "apps/sward_view/files/free_name.h"
 #include "apps/sward_view/files/state_file.h"
+#include "apps/sward_view/files/sward_program.h"
 #include "apps/sward_view/paint/ring.h"
 #include "apps/sward_view/panels/panels.h"
 #include "apps/sward_view/window/viewer.h"
 #include "core/error.h"
 #include "field/delta.h"
 
+#include <fmt/chrono.h>
 #include <fmt/core.h>
 #include <glm/geometric.hpp>
 #include <nlohmann/json.hpp>
@@ -66,8 +67,7 @@ std::string timeText(fs::file_time_type time)
     const auto system = std::chrono::time_point_cast<std::chrono::system_clock::duration>(
         time - fs::file_time_type::clock::now() + std::chrono::system_clock::now());
     const std::time_t seconds = std::chrono::system_clock::to_time_t(system);
-    std::tm local{};
-    ::localtime_r(&seconds, &local);
+    const std::tm local = fmt::localtime(seconds);
     return fmt::format("{:04}-{:02}-{:02} {:02}:{:02}", local.tm_year + 1900, local.tm_mon + 1,
                        local.tm_mday, local.tm_hour, local.tm_min);
 }

@@ -196,11 +196,11 @@ void Viewer::fulfilFields(const Requests& requests)
     if (requests.cancelBake)
         opening_.cancel();
     if (requests.saveMeadow && viewerState_.editor)
-        writeUnlessTaken(*requests.saveMeadow,
-                         [this](const std::filesystem::path& path, bool replaces) {
-                             viewerState_.editor->save(path, replaces, viewerState_.meadow);
-                             notice(path.string() + ": written");
-                         });
+        writeUnlessTaken(
+            *requests.saveMeadow, [this](const std::filesystem::path& path, bool replaces) {
+                viewerState_.editor->save(path.string(), replaces, viewerState_.meadow);
+                notice(path.string() + ": written");
+            });
     if (requests.bake && viewerState_.editor && viewerState_.editor->isChanged()) {
         MeadowEditor& editor = *viewerState_.editor;
         editor.save(editor.file(), editor.ownsFile(), viewerState_.meadow);
@@ -227,9 +227,8 @@ void Viewer::fulfilFields(const Requests& requests)
         if ((*gone)->isUnsaved())
             lost.push_back(*gone);
         others.erase(gone);
-        askToSave(std::move(lost), "remove", [this, others] {
-            opening_.open({{}, others, 0}, {});
-        });
+        askToSave(std::move(lost), "remove",
+                  [this, others] { opening_.open({{}, others, 0}, {}); });
     } else if (!waiting_.empty()) {
         viewerState_.error.clear();
         const std::size_t place = others.size();

@@ -192,31 +192,5 @@ TEST_F(AutosaveTest, OfAFullDiskKeepsWhatItHad)
     EXPECT_EQ(leftStrokes(meadow, folders).size(), 1u);
 }
 
-TEST_F(AutosaveTest, AProcessIsToldFromOneThatHasItsNumberNow)
-{
-    ProcessName own = ProcessName::own();
-    EXPECT_TRUE(own.isAlive());
-    own.start += "1";
-    EXPECT_FALSE(own.isAlive());
-    own = ProcessName::own();
-    own.boot = "another";
-    EXPECT_FALSE(own.isAlive());
-}
-
-TEST_F(AutosaveTest, ALockIsHeldByOneAndItsFileMayGoMeanwhile)
-{
-    const fs::path path = folder.path() / "lock";
-    {
-        auto held = FileLock::tryTake(path);
-        ASSERT_TRUE(held.has_value());
-        EXPECT_FALSE(FileLock::tryTake(path).has_value());
-        EXPECT_THROW(FileLock::take(path, std::chrono::milliseconds(20)), Error);
-        held->removeFile();
-        EXPECT_TRUE(FileLock::tryTake(path).has_value()) << "a new file";
-    }
-    EXPECT_TRUE(FileLock::tryTake(path).has_value());
-    EXPECT_THROW(FileLock::tryTake(folder.path() / "none" / "lock"), Error);
-}
-
 } // namespace
 } // namespace sward::view

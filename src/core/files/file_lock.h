@@ -6,26 +6,12 @@
 #include <string>
 #include <string_view>
 
-namespace sward::view {
-
-/// A process, told from others that have had its number: by its start time and the system's boot.
-struct ProcessName {
-    long pid = 0;
-    std::string start; ///< as /proc tells it: clock ticks since the boot
-    std::string boot;  ///< the kernel's identifier of this boot
-
-    /// This process.
-    static ProcessName own();
-
-    /// Whether that process runs, on this machine.
-    bool isAlive() const;
-
-    bool operator==(const ProcessName&) const = default;
-};
+namespace sward {
 
 /// A lock file that no other holder has, in this process or another. It is let go by the destructor
-/// and by the end of the process, however that ends. The lock is flock(2)'s; on a file system
-/// without it, the process that the file names is asked for.
+/// and by the end of the process, however that ends. On Linux the lock is flock(2)'s; on a file
+/// system without it, the process that the file names is asked for. On Windows the file is open for
+/// its holder alone.
 class FileLock {
 public:
     /// Takes the lock, and makes the file if it is missing. Empty: another holder has it. Throws
@@ -46,7 +32,7 @@ public:
     /// Replaces the content. Throws Error{io}.
     void write(std::string_view text);
 
-    /// Removes the file while the lock is held.
+    /// Removes the file while the lock is held, which then says nothing and takes no text.
     void removeFile();
 
     /// Whether this object has made the file.
@@ -64,4 +50,4 @@ private:
 /// Name of the lock file that belongs to a file: hidden, in the same folder.
 std::filesystem::path lockNameFor(const std::filesystem::path& path);
 
-} // namespace sward::view
+} // namespace sward

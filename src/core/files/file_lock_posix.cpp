@@ -1,57 +1,24 @@
-#include "apps/sward_view/files/file_lock.h"
-
 #include "core/error.h"
+#include "core/files/file_lock.h"
+#include "core/process/process_id.h"
 
 #include <fcntl.h>
-#include <fmt/core.h>
 #include <nlohmann/json.hpp>
 #include <sys/file.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
-#include <array>
 #include <cerrno>
 #include <cstring>
-#include <fstream>
-#include <sstream>
-#include <thread>
 #include <utility>
 
-namespace sward::view {
+namespace sward {
 namespace {
 
-namespace fs = std::filesystem;
-
 constexpr std::size_t longestLockText = 65536;
-constexpr std::chrono::milliseconds lockPoll{5};
-constexpr int startField = 22; ///< of /proc/PID/stat, counted from 1
-
-std::string firstLineOf(const fs::path& path)
-{
-    std::ifstream in(path);
-    std::string line;
-    std::getline(in, line);
-    return line;
-}
-
-// Start time of a process; empty if it does not run.
-std::string startOf(long pid)
-{
-    const std::string line = firstLineOf(fmt::format("/proc/{}/stat", pid));
-    // The name, field 2, may hold anything; it ends at the last bracket.
-    const std::size_t end = line.rfind(')');
-    if (end == std::string::npos)
-        return {};
-    std::istringstream rest(line.substr(end + 1));
-    std::string word;
-    for (int field = 3; field <= startField; ++field)
-        if (!(rest >> word))
-            return {};
-    return word;
-}
 
 // Whether a file descriptor still is the file of that name.
-bool isFileOf(int file, const fs::path& path)
+bool isFileOf(int file, const std::filesystem::path& path)
 {
     struct stat own = {};
     struct stat named = {};
@@ -88,55 +55,13 @@ bool namesOther(int file)
 
 } // namespace
 
-ProcessName ProcessName::own()
-{
-    return {static_cast<long>(::getpid()), startOf(static_cast<long>(::getpid())),
-            firstLineOf("/proc/sys/kernel/random/boot_id")};
-}
-
-bool ProcessName::isAlive() const
-{
-    return pid > 0 && !start.empty() && startOf(pid) == start &&
-           firstLineOf("/proc/sys/kernel/random/boot_id") == boot;
-}
-
-FileLock::FileLock(fs::path path, int file, bool hasMade)
-    : path_(std::move(path))
-    , file_(file)
-    , hasMade_(hasMade)
-{
-}
-
-FileLock::FileLock(FileLock&& other) noexcept
-    : path_(std::move(other.path_))
-    , file_(std::exchange(other.file_, -1))
-    , hasMade_(other.hasMade_)
-{
-}
-
-FileLock& FileLock::operator=(FileLock&& other) noexcept
-{
-    if (this != &other) {
-        letGo();
-        path_ = std::move(other.path_);
-        file_ = std::exchange(other.file_, -1);
-        hasMade_ = other.hasMade_;
-    }
-    return *this;
-}
-
-FileLock::~FileLock()
-{
-    letGo();
-}
-
 void FileLock::letGo()
 {
     if (file_ >= 0)
         ::close(std::exchange(file_, -1));
 }
 
-std::optional<FileLock> FileLock::tryTake(const fs::path& path)
+std::optional<FileLock> FileLock::tryTake(const std::filesystem::path& path)
 {
     for (;;) {
         bool hasMade = false;
@@ -168,19 +93,6 @@ std::optional<FileLock> FileLock::tryTake(const fs::path& path)
     }
 }
 
-FileLock FileLock::take(const fs::path& path, std::chrono::milliseconds patience)
-{
-    const auto until = std::chrono::steady_clock::now() + patience;
-    for (;;) {
-        if (auto lock = tryTake(path))
-            return std::move(*lock);
-        if (std::chrono::steady_clock::now() >= until)
-            fail(ErrorKind::io, "{}: another window has held this lock for {} ms", path.string(),
-                 patience.count());
-        std::this_thread::sleep_for(lockPoll);
-    }
-}
-
 std::string FileLock::text() const
 {
     return contentOf(file_);
@@ -206,9 +118,4 @@ void FileLock::removeFile()
     ::unlink(path_.c_str());
 }
 
-fs::path lockNameFor(const fs::path& path)
-{
-    return path.parent_path() / ("." + path.filename().string() + ".lock");
-}
-
-} // namespace sward::view
+} // namespace sward
