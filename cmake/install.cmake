@@ -70,7 +70,7 @@ set(doors
   bake/bake.h bake/settings/meadow.h bake/settings/stroke_file.h bake/session/session.h
   gpu/context/check.h gpu/context/host_device.h gpu/device/device_choice.h gpu/device/features.h
   gpu/memory/readback.h gpu/pipeline/graphics_pipeline.h gpu/recording/commands.h gpu/recording/rendering.h
-  render/viewer/field_renderer.h render/grass.h presentation/camera_presets.h presentation/settings_file.h
+  render/layers/frame_layers.h render/viewer/field_renderer.h render/grass.h presentation/camera_presets.h presentation/settings_file.h
   c/sward.h)
 install(CODE "set(SWARD_DOORS \"${doors}\")
 set(SWARD_SOURCE_DIR \"${CMAKE_SOURCE_DIR}\")

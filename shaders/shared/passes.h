@@ -370,8 +370,9 @@ struct HostViewPush {
     uint instanceCount;
     float slack;       ///< depth by which the host's geometry is assumed farther
     uvec2 firstStored; ///< [pixels] where the view begins in the host's stored picture
+    UintArray layers;  ///< LayersTable of the stage that writes layers; address 0: there are none
 };
-SHARED_LAYOUT(HostViewPush, 56)
+SHARED_LAYOUT(HostViewPush, 64)
 
 // Flags of a pipeline that stores light into a host's picture.
 SHARED_CONST uint storesPicture = 1u;

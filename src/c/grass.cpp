@@ -97,6 +97,8 @@ render::HostView viewOf(const sward_view& given)
                                        .image = {given.depth_format, given.depth_usage}};
     if (given.stored != nullptr)
         view.stored = storedOf(*given.stored);
+    if (given.layers != 0)
+        view.layers = render::HostLayers{.wanted = given.layers, .words = given.layer_words};
     return view;
 }
 

@@ -87,6 +87,24 @@ sward_status sward_grass_record_update(sward_grass* grass, VkCommandBuffer comma
 sward_status sward_grass_record_cull(sward_grass* grass, VkCommandBuffer commands, uint32_t view);
 sward_status sward_grass_record_raster(sward_grass* grass, VkCommandBuffer commands, uint32_t view);
 
+/* Layers. `words` is what the host has read of sward_view::layer_words. The numbers of a layer are
+ * written to `numbers`, row after row from the top, `bytes` in all. Instances name blades and
+ * plants, in the order of sward_grass_get_layer_instances(); others need none. */
+typedef struct sward_layer_instance {
+    const sward_field* field;
+    const sward_resident* resident; /* if it is sown or edited, whose last frame this is; or null */
+} sward_layer_instance;
+
+uint64_t sward_layer_bytes(uint32_t layers, uint32_t width, uint32_t height);
+sward_status sward_layer_read(const uint32_t* words, uint32_t layers, uint32_t width,
+                              uint32_t height, sward_layer layer,
+                              const sward_layer_instance* instances, uint32_t instance_count,
+                              void* numbers, uint64_t bytes);
+
+/* The instances of the frame last begun; at most `capacity` are written, all are counted. */
+sward_status sward_grass_get_layer_instances(const sward_grass* grass, sward_instance* instances,
+                                             uint32_t capacity, uint32_t* count);
+
 /* Inside the host's rendering, viewport and scissor set. */
 sward_status sward_grass_record_draw(const sward_grass* grass, VkCommandBuffer commands,
                                      uint32_t view, const sward_target* target);

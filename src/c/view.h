@@ -48,6 +48,23 @@ typedef struct sward_stored_picture {
     VkImageUsageFlags image_usage, depth_usage;
 } sward_stored_picture;
 
+/* Numbers beside the picture (docs/layers.md): bits of sward_view::layers. Forward flow is none of
+ * a host's. */
+typedef enum sward_layer {
+    SWARD_LAYER_DEPTH = 1 << 0,         /* float [m] along the ray; infinite without grass */
+    SWARD_LAYER_PLANAR_DEPTH = 1 << 1,  /* float, the clip space's w; likewise */
+    SWARD_LAYER_NORMAL = 1 << 2,        /* 3 halves, world */
+    SWARD_LAYER_ALBEDO = 1 << 3,        /* 3 halves, linear */
+    SWARD_LAYER_BLADE = 1 << 4,         /* uint64_t: sward_blade::id, 1 + instance from bit 53 on */
+    SWARD_LAYER_PLANT = 1 << 5,         /* likewise of the stalk that it stands on */
+    SWARD_LAYER_SPECIES = 1 << 6,       /* uint8_t: 1 + species; 0: no grass */
+    SWARD_LAYER_PATCH = 1 << 7,         /* uint32_t: 1 + patch in device memory */
+    SWARD_LAYER_CLASS = 1 << 8,         /* uint8_t: 2 is grass, 0 is none */
+    SWARD_LAYER_FLOW_BACKWARD = 1 << 9, /* 2 floats [pixels]; needs keeps_motion */
+    SWARD_LAYER_COVERAGE = 1 << 11,     /* half: share of the samples that show grass */
+    SWARD_LAYER_SUN = 1 << 12           /* half: share of the sun that arrives */
+} sward_layer;
+
 typedef struct sward_view {
     double world_to_clip[16]; /* column after column, to Vulkan's clip space */
     uint32_t width, height;   /* [pixels] */
@@ -67,6 +84,11 @@ typedef struct sward_view {
     const sward_shadow* shadow; /* of the sun; null: the whole view is in the sun */
 
     const sward_stored_picture* stored; /* null: grass is drawn by sward_grass_record_draw() */
+
+    /* Layers that sward_grass_record_raster() writes, if it rasterises: sward_layer_bytes() at a
+     * device address, a multiple of 16, in a STORAGE_BUFFER. 0: none. */
+    uint32_t layers;
+    VkDeviceAddress layer_words;
 } sward_view;
 
 /* world = position + scale * rotation * place */

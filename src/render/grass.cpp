@@ -7,6 +7,8 @@
 #include "render/frame/frame.h"
 #include "render/frame/wind.h"
 #include "render/host/host_checks.h"
+#include "render/layers/frame_layers.h"
+#include "render/layers/host_layers_pass.h"
 #include "render/recorder.h"
 #include "render/resident/resident_parts.h"
 #include "render/tessellation/blade_target_parts.h"
@@ -70,6 +72,7 @@ struct Grass::Parts : Recorder {
     Placed& instance(InstanceId id);
     void requireDevice(const ResidentField::Parts& field) const;
     void take(const ResidentField::Parts& field) const;
+    void requireLayers(const GrassFrame& frame) const;
 };
 
 Grass::Grass(const gpu::DeviceContext& context, const Settings& settings)
@@ -125,6 +128,7 @@ void Grass::begin(std::uint32_t slot, const GrassFrame& frame)
     Parts& parts = *parts_;
     requireSlot(parts.settings, slot);
     requireValid(frame, parts.settings);
+    parts.requireLayers(frame);
     parts.begin(slot, frame, {}, [&](const Recorder::Placed& instance) {
         return inField(frame, instance.placement, instance.field->field().shape, parts.frame);
     });
@@ -134,6 +138,7 @@ void Grass::prepare(const GrassFrame& frame, const PreparedFields& fields) const
 {
     const Parts& parts = *parts_;
     requireValid(frame, parts.settings);
+    parts.requireLayers(frame);
     requireUsage(!fields.fields.empty(), "PreparedFields::fields is empty");
     for (const ResidentField* field : fields.fields) {
         requireUsage(field != nullptr, "a field of PreparedFields::fields is null");
@@ -153,6 +158,24 @@ void Grass::prepare(const GrassFrame& frame, const PreparedFields& fields) const
             PyramidPass(parts.context, *wanted).prepare(parts.shaders);
     }
     parts.raster.preparePipelines(parts.shaders, frame, fields);
+    HostLayersPass layers(parts.context, parts.shadowMaps, 1, 1);
+    for (const HostView& view : frame.views)
+        if (view.layers && parts.raster.obstacle(view, {}) == nullptr)
+            layers.pipelineOf(parts.shaders, {.samples = view.samples,
+                                              .hasHostLight = isLitByHost(frame.light, view)});
+}
+
+/// The layers that views want can be written.
+void Grass::Parts::requireLayers(const GrassFrame& frame) const
+{
+    for (std::size_t i = 0; i < frame.views.size(); ++i) {
+        if (!frame.views[i].layers)
+            continue;
+        requireValid(*frame.views[i].layers, i, settings.keepsMotion);
+        requireUsage(placed.size() <= LayerId::maxFields,
+                     "view {}: layers of {} instances; at most {}", i, placed.size(),
+                     LayerId::maxFields);
+    }
 }
 
 /// A frame has begun, and there is a buffer to record into.
@@ -264,6 +287,14 @@ const char* Grass::whyTessellated(std::uint32_t view) const
 const char* Grass::whyNotStored(std::uint32_t view) const
 {
     return parts_->drawing(view).storeObstacle;
+}
+
+std::vector<InstanceId> Grass::layerInstances() const
+{
+    std::vector<InstanceId> ids;
+    for (const std::uint64_t id : parts_->instanceIds)
+        ids.push_back(InstanceId{id});
+    return ids;
 }
 
 void Grass::recordDraw(VkCommandBuffer buffer, std::uint32_t view, const BladeTarget& target) const

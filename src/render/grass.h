@@ -11,6 +11,7 @@
 #include <cstdint>
 #include <memory>
 #include <optional>
+#include <vector>
 
 namespace sward::render {
 
@@ -81,7 +82,8 @@ public:
     /// after recordCull() of the view, outside of a rendering. Hidden blades are not lit. Records
     /// nothing if whyTessellated() has a reason.
     ///
-    /// Also stores the blades into the view's StoredPicture unless whyNotStored() has a reason.
+    /// Also writes the view's HostLayers, and stores the blades into its StoredPicture unless
+    /// whyNotStored() has a reason.
     /// Waits for all commands before it; all commands after it see the grass.
     void recordRaster(VkCommandBuffer commands, std::uint32_t view);
 
@@ -93,6 +95,9 @@ public:
     /// Why recordRaster() does not store the blades of one view, so that recordDraw() is needed;
     /// null if it stores them.
     const char* whyNotStored(std::uint32_t view) const;
+
+    /// The instances of the frame last begun, by the numbers that HostLayers have them by.
+    std::vector<InstanceId> layerInstances() const;
 
     /// Draws the blades inside the host's rendering, with scissor and viewport set: the view's
     /// size, depths from 0 to 1. Draws the result of recordRaster() if target and view have equal

@@ -129,6 +129,7 @@ void Recorder::begin(std::uint32_t slotNumber, const GrassFrame& wanted,
     }
     shadowMaps.begin(slot, wanted.light, wanted.views);
     raster.begin(shaders, slot, wanted.views, drawings, instances, wanted.settings);
+    beginLayers(wanted);
     movesWithCull = views == 1;
     moving = movingLike(wanted);
     forEach([&](const PlacedField& field) { update.prepare(shaders, movingOf(field)); });
@@ -140,6 +141,7 @@ void Recorder::begin(std::uint32_t slotNumber, const GrassFrame& wanted,
 void Recorder::beginInstances()
 {
     instances.clear();
+    instanceIds.clear();
     for (const auto& [id, instance] : placed) {
         PlacedField& field = *instance.field;
         if (!field.isUploaded())
@@ -147,14 +149,36 @@ void Recorder::beginInstances()
         if (field.edits() != nullptr)
             field.edits()->begin();
         // A layer's picture needs an instance, even if it is bare.
-        if (field.blades().bladeCount() > 0 || extras.layer != nullptr)
-            instances.push_back(&field);
+        if (field.blades().bladeCount() == 0 && extras.layer == nullptr)
+            continue;
+        instances.push_back(&field);
+        instanceIds.push_back(id);
+    }
+}
+
+/// Prepares the layers of views that want some and are rasterised.
+void Recorder::beginLayers(const GrassFrame& wanted)
+{
+    std::vector<Placement> placements;
+    for (std::uint32_t i = 0; i < wanted.views.size(); ++i) {
+        const HostView& view = wanted.views[i];
+        const bool hasLayers = view.layers && view.layers->wanted != 0;
+        drawings[i].hasLayers = hasLayers && drawings[i].obstacle == nullptr && !instances.empty();
+        if (!drawings[i].hasLayers)
+            continue;
+        if (placements.empty())
+            for (const std::uint64_t id : instanceIds)
+                placements.push_back(placed.at(id).placement.now);
+        if (!hostLayers)
+            hostLayers.emplace(context, shadowMaps, settings.framesInFlight, settings.maxViews);
+        hostLayers->prepare(shaders, slot, i, view, placements);
     }
 }
 
 ViewDrawing Recorder::drawingOf(const HostView& view, const FrameSettings& frameSettings) const
 {
-    ViewDrawing result{.samples = view.samples, .hasReversedZ = view.hasReversedZ};
+    ViewDrawing result{
+        .samples = view.samples, .hasReversedZ = view.hasReversedZ, .onlyMoves = extras.onlyMoves};
     if (extras.layer != nullptr) {
         // The history is the picture's. Without the occlusion test hidden blades count as drawn;
         // the late pass drops them all the same, since this changes no picture.

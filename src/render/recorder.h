@@ -10,6 +10,7 @@
 #include "render/frame/frame_time.h"
 #include "render/grass.h"
 #include "render/host/host_shadow_maps.h"
+#include "render/layers/host_layers_pass.h"
 #include "render/raster/blade_shadow_pass.h"
 #include "render/raster/view_raster.h"
 #include "render/recorder_extras.h"
@@ -57,6 +58,7 @@ struct Recorder {
     UpdateCullPass update;
     HostShadowMaps shadowMaps;
     ViewRaster raster;
+    std::optional<HostLayersPass> hostLayers; ///< made when a view wants some
     BladeShadowPass bladeShadows;
     bool testsSmall; ///< see UpdateCullPass::Variant
     InstanceStreaming streaming;
@@ -65,16 +67,14 @@ struct Recorder {
     std::uint64_t lastId = 0;
 
     // The frame being recorded.
-    std::vector<std::uint32_t> frameOfSlot; ///< number of the frame last begun per slot
-    std::uint32_t frame = 0;                ///< its number, starting at 1
-    std::uint32_t slot = 0;
-    std::uint32_t viewCount = 0;
-    bool hasBegun = false;
-    bool isUpdated = false;         ///< recordUpdate() has been called
+    std::vector<std::uint32_t> frameOfSlot;           ///< number of the frame last begun per slot
+    std::uint32_t frame = 0, slot = 0, viewCount = 0; ///< frames are numbered from 1 on
+    bool hasBegun = false, isUpdated = false;         ///< the latter: recordUpdate() was called
     bool movesWithCull = false;     ///< of one view: recordCull() moves the blades, too
     UpdateCullPass::Variant moving; ///< of any instance: movingOf() adds what depends on it
     double time = 0.0;
-    std::vector<PlacedField*> instances; ///< with blades; null: removed since begin()
+    std::vector<PlacedField*> instances;    ///< with blades; null: removed since begin()
+    std::vector<std::uint64_t> instanceIds; ///< of these, keys of `placed`
     std::vector<ViewDrawing> drawings;
     ViewExtras extras; ///< of the first view
 
@@ -87,7 +87,6 @@ struct Recorder {
     };
     std::vector<ViewDepth> depths;                                          ///< [slot][view]
     std::map<std::tuple<std::uint32_t, bool, float>, PyramidPass> pyramids; ///< by their settings
-
     /// An instance in the space of its field, without pyramids.
     using ToInstance = std::function<InstanceFrame(const Placed&)>;
 
@@ -126,6 +125,7 @@ private:
     UpdateCullPass::Variant movingOf(const PlacedField& field) const;
     void beginInstances();
     void beginViews(const GrassFrame& frame);
+    void beginLayers(const GrassFrame& frame);
     ViewDrawing drawingOf(const HostView& view, const FrameSettings& frameSettings) const;
     void lookAtDepth(const HostView& view, const ViewDrawing& drawing,
                      const FrameSettings& frameSettings, ViewDepth& depth);

@@ -19,7 +19,8 @@ struct RecorderExtras {
 struct ViewExtras {
     const OpaqueLayer* layer = nullptr; ///< of a view that is rasterised
     shared::DepthPyramid frozen{};      ///< of a frozen camera: the last one of the picture's
-    bool drawsAll = false; ///< culls and counts, then lists all blades; needs the cull results
+    bool drawsAll = false;  ///< culls and counts, then lists all blades; needs the cull results
+    bool onlyMoves = false; ///< draws nothing: what other frames rasterise into is kept
 };
 
 } // namespace sward::render

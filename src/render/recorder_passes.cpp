@@ -83,10 +83,9 @@ void Recorder::recordMoveAll(const gpu::Recording& commands)
 {
     recordBegin(commands);
     forEach([&](const PlacedField& field) {
-        update.record(commands, field.blades(), field.list(0), movingOf(field),
-                      UpdateCullPass::Scope::all,
-                      {.frame = field.place(slot, Kind::culling, 0),
-                       .before = field.states().before()});
+        update.record(
+            commands, field.blades(), field.list(0), movingOf(field), UpdateCullPass::Scope::all,
+            {.frame = field.place(slot, Kind::culling, 0), .before = field.states().before()});
     });
 }
 
@@ -249,6 +248,12 @@ void Recorder::recordRaster(const gpu::Recording& commands, std::uint32_t view,
         forEach([&](const PlacedField& field) { rounds.count = field.roundCount(view); });
         rounds.list = std::ref(list); // a reference allocates nothing while recording
     }
+    const auto layers = [&](const shared::HostViewPush& push) {
+        const DispatchScope scope(context, commands, times, "layers");
+        hostLayers->record(commands, slot, view, push);
+    };
+    if (drawn.hasLayers)
+        rounds.beforeLight = std::ref(layers);
     raster.record(commands, slot, view, instances, rounds, times);
     // Of a host's view they are drawn by recordCull(): its list is whole then.
     if (drawn.layer != nullptr && drawn.hasShadows) {

@@ -19,12 +19,46 @@ SHARED_CONST uint kindCollider = 3u;
 /// others their place relative to the field's origin.
 SHARED_CONST uint placeWords = 4u;
 
-/// LayersTable::surfaces: bits 0–7 kind; 8–15 species of a blade; 16–23 its number on its plant, 0
-/// of a stalk.
-SHARED_FN uint packSurface(uint kind, uint species, uint number)
+/// LayersTable::surfaces: bits 0–1 kind; 2–5 species of a blade; 6–13 its number on its plant, 0 of
+/// a stalk; 14–24 number of its instance.
+SHARED_FN uint packSurface(uint kind, uint species, uint number, uint instance)
 {
-    return kind | (species << 8u) | (number << 16u);
+    return kind | (species << 2u) | (number << 6u) | (instance << 14u);
 }
+
+SHARED_FN uint surfaceKind(uint surface)
+{
+    return surface & 3u;
+}
+
+SHARED_FN uint surfaceSpecies(uint surface)
+{
+    return (surface >> 2u) & 15u;
+}
+
+SHARED_FN uint surfaceNumber(uint surface)
+{
+    return (surface >> 6u) & 255u;
+}
+
+SHARED_FN uint surfaceInstance(uint surface)
+{
+    return (surface >> 14u) & 2047u;
+}
+
+/// How an instance stands in a host's world: the field's axes there, of unit length, and the metres
+/// of the world in a metre of the field.
+struct LayersInstance {
+    vec3 right;
+    float scale;
+    vec3 up;
+    uint reserved0;
+    vec3 back;
+    uint reserved1;
+};
+SHARED_LAYOUT(LayersInstance, 48)
+
+SHARED_BUFFER(LayersInstanceArray, LayersInstance, readonly)
 
 /// Where the layers of a frame are written, row after row from the top; address 0: not wanted.
 struct LayersTable {
@@ -32,25 +66,26 @@ struct LayersTable {
     UintArray indices; ///< three for each triangle of the ground
     GroundVertexArray vertices;
     GroundMaterialArray materials;
-    MotionArray motion;     ///< since the frame before
-    UintArray places;       ///< placeWords for each pixel; read back only by the next frame
-    UintArray placesBefore; ///< of the frame before; address 0: there is none
-    FloatArray depths;      ///< [m] along the ray; infinite for the sky
-    FloatArray planes;      ///< [m] along the view; infinite for the sky
-    UintArray normals;      ///< x and y, z and 0: halves
-    UintArray albedos;      ///< red and green, blue and 0: halves
-    UintArray surfaces;     ///< packSurface()
-    UintArray blades;       ///< 1 + resident id; 0: no blade
-    UintArray patches;      ///< 1 + number of the blade's patch; 0: no blade
-    FloatArray flows;       ///< [pixels] x and y to the place in the frame before
-    FloatArray flowsAhead;  ///< [pixels] from the frame before to this one, for its pixels
-    UintArray shares;       ///< share that blades cover, and of the sun: halves
-    uint groundTriangles;   ///< numbers of the visibility that are the ground's
-    float elapsed;          ///< [s] since the frame before
-    uint imageCount;        ///< images of the ground, with a white one at the end
+    MotionArray motion;            ///< since the frame before
+    UintArray places;              ///< placeWords for each pixel; read back only by the next frame
+    UintArray placesBefore;        ///< of the frame before; address 0: there is none
+    FloatArray depths;             ///< [m] along the ray; infinite for the sky
+    FloatArray planes;             ///< [m] along the view; infinite for the sky
+    UintArray normals;             ///< x and y, z and 0: halves
+    UintArray albedos;             ///< red and green, blue and 0: halves
+    UintArray surfaces;            ///< packSurface()
+    UintArray blades;              ///< 1 + resident id; 0: no blade
+    UintArray patches;             ///< 1 + number of the blade's patch; 0: no blade
+    FloatArray flows;              ///< [pixels] x and y to the place in the frame before
+    FloatArray flowsAhead;         ///< [pixels] from the frame before to this one, for its pixels
+    UintArray shares;              ///< share that blades cover, and of the sun: halves
+    LayersInstanceArray instances; ///< of a host's view; address 0: of the viewer's
+    uint groundTriangles;          ///< numbers of the visibility that are the ground's
+    float elapsed;                 ///< [s] since the frame before
+    uint imageCount;               ///< images of the ground, with a white one at the end
     uint reserved;
 };
-SHARED_LAYOUT(LayersTable, 152)
+SHARED_LAYOUT(LayersTable, 160)
 
 SHARED_BUFFER(LayersTableArray, LayersTable, readonly)
 SHARED_BUFFER(RasterPushArray, RasterPush, readonly)

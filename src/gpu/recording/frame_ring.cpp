@@ -30,9 +30,9 @@ FrameRing::~FrameRing()
 FrameRing::Frame FrameRing::begin()
 {
     const Slot& slot = slots_[next_];
-    wait(context_, slot.done.get());
+    gpu::wait(context_, slot.done.get());
     gpu::begin(slot.commands);
-    return {next_, slot.commands};
+    return {next_, slot.commands, submitted_};
 }
 
 void FrameRing::submit(const Frame& frame, std::span<const VkSemaphoreSubmitInfo> waits,
@@ -46,12 +46,21 @@ void FrameRing::submit(const Frame& frame, std::span<const VkSemaphoreSubmitInfo
     check(context_.vk.ResetFences(context_.device, 1, &done), "vkResetFences");
     endAndSubmit(context_, frame.commands, done, waits, signals);
     next_ = (next_ + 1) % slots();
+    ++submitted_;
+}
+
+void FrameRing::wait(const Frame& frame) const
+{
+    expect(frame.number < submitted_, "the frame has been submitted");
+    // begin() has waited for a frame whose slot was taken since.
+    if (submitted_ - frame.number <= slots())
+        gpu::wait(context_, slots_[frame.slot].done.get());
 }
 
 void FrameRing::finish() const
 {
     for (const Slot& slot : slots_)
-        wait(context_, slot.done.get());
+        gpu::wait(context_, slot.done.get());
 }
 
 } // namespace sward::gpu

@@ -18,6 +18,7 @@ public:
     struct Frame {
         std::uint32_t slot;       ///< in [0, slots()): index of the frame's own buffers
         VkCommandBuffer commands; ///< being recorded
+        std::uint64_t number = 0; ///< of frames begun before; with submit() it counts on
     };
 
     explicit FrameRing(const DeviceContext& context, std::uint32_t slots = 2);
@@ -31,6 +32,9 @@ public:
     /// Submits the result of begin().
     void submit(const Frame& frame, std::span<const VkSemaphoreSubmitInfo> waits = {},
                 std::span<const VkSemaphoreSubmitInfo> signals = {});
+
+    /// Waits for a frame that has been submitted, and perhaps for later ones of its slot.
+    void wait(const Frame& frame) const;
 
     /// Waits for all frames.
     void finish() const;
@@ -47,6 +51,7 @@ private:
     CommandPool pool_;
     std::vector<Slot> slots_;
     std::uint32_t next_ = 0;
+    std::uint64_t submitted_ = 0; ///< frames
 };
 
 } // namespace sward::gpu

@@ -5,7 +5,6 @@
 #include "render/frame/geometry.h"
 #include "render/host/host_image.h"
 #include "render/host/host_light.h"
-#include "render/host/stored_picture.h"
 
 #include <glm/mat4x4.hpp>
 #include <glm/vec2.hpp>
@@ -27,6 +26,17 @@ struct HostDepth {
     float slack = 1.2e-7f;
 
     HostImage image{}; ///< behind `view`, for checks
+};
+
+/// Layers of the grass in a view, as numbers (docs/layers.md), which Grass::recordRaster() writes:
+/// of the nearest sample that shows a blade. Not if Grass::whyTessellated() has a reason.
+struct HostLayers {
+    std::uint32_t wanted = 0; ///< bits of render::Layer: all but flowForward; flowBackward needs
+                              ///< Grass::Settings::keepsMotion
+    /// Device address, a multiple of 16, of layerBytes(wanted, size, true) bytes in a buffer with
+    /// the usages STORAGE_BUFFER and SHADER_DEVICE_ADDRESS. LayerWords says what they hold. All
+    /// commands after recordRaster() see them; the CPU does after a barrier to the host.
+    VkDeviceAddress words = 0;
 };
 
 /// One view of an engine's frame: an eye of a stereo pair, a shadow cascade, a mirror.
@@ -60,6 +70,9 @@ struct HostView {
     /// Picture that Grass::recordRaster() stores the grass into, instead of a composite by
     /// Grass::recordDraw(); unset: none. Grass::whyNotStored() tells whether it does.
     std::optional<StoredPicture> stored{};
+
+    /// Numbers beside the picture; unset: none.
+    std::optional<HostLayers> layers{};
 };
 
 /// The view's matrix for culling: converts `fieldToClip` from the host's convention to reversed Z,

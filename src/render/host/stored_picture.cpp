@@ -1,7 +1,6 @@
-#include "render/host/stored_picture.h"
-
 #include "core/error.h"
 #include "gpu/memory/format_kind.h"
+#include "render/host/host_image.h"
 
 #include <glm/vector_relational.hpp>
 

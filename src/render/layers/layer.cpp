@@ -1,4 +1,4 @@
-#include "render/layers/layer.h"
+#include "render/layers/frame_layers.h"
 
 #include <array>
 

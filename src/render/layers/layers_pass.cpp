@@ -9,6 +9,7 @@
 
 #include <algorithm>
 #include <cstring>
+#include <memory>
 #include <string>
 #include <utility>
 
@@ -102,8 +103,9 @@ void LayersPass::fit(std::uint32_t slot, const Input& input)
     grow(written_, "layers/written", words,
          VK_BUFFER_USAGE_STORAGE_BUFFER_BIT | VK_BUFFER_USAGE_TRANSFER_SRC_BIT,
          gpu::MemoryUse::device);
-    grow(slots_[slot].words, "layers/words", words, VK_BUFFER_USAGE_TRANSFER_DST_BIT,
-         gpu::MemoryUse::readback);
+    if (input.into == VK_NULL_HANDLE)
+        grow(slots_[slot].words, "layers/words", words, VK_BUFFER_USAGE_TRANSFER_DST_BIT,
+             gpu::MemoryUse::readback);
     for (gpu::Buffer& buffer : places_)
         grow(buffer, "layers/places", places, VK_BUFFER_USAGE_STORAGE_BUFFER_BIT,
              gpu::MemoryUse::device);
@@ -173,10 +175,12 @@ void LayersPass::record(const gpu::Recording& commands, std::uint32_t index, con
             break;
         gpu::computeToCompute(commands);
     }
+    slot.isOwn = input.into == VK_NULL_HANDLE;
     if (regions.words > 0) {
         gpu::computeToTransfer(commands);
         const VkBufferCopy all{0, 0, regions.words * sizeof(std::uint32_t)};
-        commands.vk->CmdCopyBuffer(commands, written_.get(), slot.words.get(), 1, &all);
+        commands.vk->CmdCopyBuffer(commands, written_.get(),
+                                   slot.isOwn ? slot.words.get() : input.into, 1, &all);
         gpu::memoryBarrier(commands, gpu::transferAccess, gpu::hostAccess);
     }
     slot.written = input.wanted;
@@ -200,10 +204,11 @@ LayerWords LayersPass::wordsOf(std::uint32_t index) const
     result.size = slot.size;
     result.wanted = slot.written;
     const std::size_t count = layerRegions(slot.written, pixelsOf(slot.size)).words;
-    if (count == 0)
+    if (count == 0 || !slot.isOwn)
         return result;
-    const std::span<const std::uint32_t> words = slot.words.mappedAs<const std::uint32_t>();
-    result.words.assign(words.begin(), words.begin() + static_cast<std::ptrdiff_t>(count));
+    const auto words = slot.words.mappedAs<const std::uint32_t>().first(count);
+    result.copied = std::make_shared<std::vector<std::uint32_t>>(words.begin(), words.end());
+    result.words = *result.copied;
     return result;
 }
 

@@ -9,6 +9,7 @@
 #include "gpu/recording/recording.h"
 #include "render/frame/frame_place.h"
 #include "render/layers/frame_layers.h"
+#include "render/layers/layer_regions.h"
 #include "render/preview/ground_buffers.h"
 #include "render/resolve/target_settings.h"
 #include "shaders/shared/layers/layers_table.h"
@@ -35,10 +36,11 @@ public:
     /// A frame of which layers are wanted.
     struct Input {
         LayerMask wanted = 0;
-        shared::RasterPush push = {}; ///< with the visibility and the picture's size
-        FramePlace frame{};           ///< of the picture
-        VkDeviceAddress motion = 0;   ///< shared::Motion since the frame before
-        float elapsed = 0.0f;         ///< [s] since the frame before
+        shared::RasterPush push = {};   ///< with the visibility and the picture's size
+        FramePlace frame{};             ///< of the picture
+        VkDeviceAddress motion = 0;     ///< shared::Motion since the frame before
+        float elapsed = 0.0f;           ///< [s] since the frame before
+        VkBuffer into = VK_NULL_HANDLE; ///< of the caller, for the words; null: one of the slot
     };
 
     /// Allocates what layers of this size need, and waits for the device if that is more than
@@ -49,8 +51,8 @@ public:
     /// before and to them after; the slot's words are then for the CPU, after the frame's fence.
     void record(const gpu::Recording& commands, std::uint32_t slot, const Input& input);
 
-    /// A copy of the layers of the slot's frame, which has completed; without ids. Nothing wanted:
-    /// none were recorded.
+    /// A copy of the layers of the slot's frame, which has completed; without ids, and without
+    /// words if they are in a buffer of the caller. Nothing wanted: none were recorded.
     LayerWords wordsOf(std::uint32_t slot) const;
 
     /// The frame before a next one has no places, so that it gets no forward flow.
@@ -63,6 +65,7 @@ private:
         gpu::Buffer table; ///< shared::RasterPush, then shared::LayersTable
         gpu::Buffer words; ///< for the CPU
         LayerMask written = 0;
+        bool isOwn = true; ///< `words` holds them
         glm::uvec2 size{0};
     };
 

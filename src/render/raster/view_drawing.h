@@ -15,6 +15,8 @@ struct ViewDrawing {
     bool hasShadows = false;            ///< of the blades near its eye
     bool hasTwoPasses = false;          ///< an early and a late one
     bool drawsAll = false;              ///< what InstanceConstants::Kind::listing lists
+    bool onlyMoves = false;             ///< nothing is drawn; see ViewExtras
+    bool hasLayers = false;             ///< HostLayers are written
     const OpaqueLayer* layer = nullptr; ///< null: the host's depth
     bool isCulled = false;              ///< Grass::recordCull() has been called …
     bool isRastered = false;            ///< … and Grass::recordRaster()

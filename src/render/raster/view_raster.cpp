@@ -178,7 +178,8 @@ void ViewRaster::prepare(const HostView& view, const ViewDrawing& drawing, std::
                 .size = view.size,
                 .instanceCount = 0,
                 .slack = view.depth ? view.depth->slack : 0.0f,
-                .firstStored = view.stored ? view.stored->first : glm::uvec2(0)};
+                .firstStored = view.stored ? view.stored->first : glm::uvec2(0),
+                .layers = 0};
 }
 
 /// Makes what rasterises and lights a view of at least one instance.
@@ -211,17 +212,20 @@ void ViewRaster::begin(const gpu::ShaderLibrary& shaders, std::uint32_t slotInde
     Slot& slot = slots_[slotIndex];
     std::ranges::fill(slot.views, View{});
     bool rasters = false;
+    bool keeps = false;
     for (std::uint32_t i = 0; i < slot.views.size(); ++i) {
         if (i < views.size() && drawings[i].obstacle == nullptr) {
             prepare(views[i], drawings[i], i, slot.views[i]);
             if (!instances.empty())
                 prepareShading(shaders, slotIndex, i, views[i], drawings[i], instances, settings);
             rasters = true;
+        } else if (i < views.size() && drawings[i].onlyMoves) {
+            keeps = true;
         } else {
             pictures_[i] = {};
         }
     }
-    if (!rasters)
+    if (!rasters && !keeps)
         largeList_.reset();
     if (!rasters || instances.empty()) {
         slot.table = {};
@@ -377,6 +381,10 @@ void ViewRaster::record(const gpu::Recording& commands, std::uint32_t slotIndex,
             .record(commands, timestamps);
         if (view.drawing.layer == nullptr) {
             gpu::computeToCompute(commands);
+            if (rounds.beforeLight) {
+                rounds.beforeLight(view.push);
+                gpu::computeToCompute(commands);
+            }
             HostLighting::record(commands, view.lighting, isOfOne ? &first.frame : nullptr,
                                  view.push);
         }

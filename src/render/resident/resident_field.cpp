@@ -4,6 +4,7 @@
 #include "core/error.h"
 #include "gpu/pipeline/shader_library.h"
 #include "render/field/edited_field.h"
+#include "render/resident/resident_ids.h"
 #include "render/resident/resident_parts.h"
 #include "render/sowing/sown_memory.h"
 #include "render/sowing/sown_tables.h"
@@ -117,9 +118,9 @@ DeviceField sownField(const gpu::DeviceContext& context, gpu::BufferUpload& uplo
     } else {
         settings.sown = std::make_unique<SownTables>(field, memory.room, walkStart);
     }
-    const std::uint64_t needed =
-        cover.bytes() + bytesWith(field, budget, settings.sown->tables().bladeRoom) +
-        (memory.device ? memory.device->deviceBytes() : 0);
+    const std::uint64_t needed = cover.bytes() +
+                                 bytesWith(field, budget, settings.sown->tables().bladeRoom) +
+                                 (memory.device ? memory.device->deviceBytes() : 0);
     if (budget.bytes > 0 && needed > budget.bytes)
         fail(ErrorKind::runtime,
              "the field's {} stored blades, and room for those that it sows, need {} MiB; "
@@ -205,6 +206,12 @@ bool ResidentField::isStreamed() const
 bool ResidentField::isSown() const
 {
     return parts_->field.sowing != nullptr;
+}
+
+std::shared_ptr<const std::vector<std::uint64_t>>
+ResidentField::layerIds(const field::FieldView& field) const
+{
+    return residentIdsOf(parts_->field, field);
 }
 
 glm::dvec3 ResidentField::origin() const

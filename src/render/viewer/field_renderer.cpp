@@ -189,17 +189,15 @@ std::unique_ptr<DeviceField> FieldRenderer::Parts::sownField(const field::FieldV
     const std::uint32_t walkStart = context.isCpu() ? shared::walkStart : shared::walkStartOfGpu;
     auto tables = settings.isEditable ? StoredCells::tablesFor(memory.room, view, walkStart)
                                       : std::make_unique<SownTables>(view, memory.room, walkStart);
-    auto cells =
-        settings.isEditable ? std::make_unique<StoredCells>(view, *tables) : nullptr;
-    DeviceField::Settings own{
-        .sown = std::move(tables),
-        .stored = std::move(cells),
-        .sowing = {.framesInFlight = settings.framesInFlight,
-                   .threads = settings.sowThreads,
-                   .waits = settings.waitsForDisk,
-                   .device = memory.device},
-        .framesInFlight = settings.framesInFlight,
-        .exposure = exposure};
+    auto cells = settings.isEditable ? std::make_unique<StoredCells>(view, *tables) : nullptr;
+    DeviceField::Settings own{.sown = std::move(tables),
+                              .stored = std::move(cells),
+                              .sowing = {.framesInFlight = settings.framesInFlight,
+                                         .threads = settings.sowThreads,
+                                         .waits = settings.waitsForDisk,
+                                         .device = memory.device},
+                              .framesInFlight = settings.framesInFlight,
+                              .exposure = exposure};
     auto made = std::make_unique<DeviceField>(context, recorder.shaders, uploader, view,
                                               std::move(cover), std::move(own));
     uploader.finish();
@@ -332,7 +330,9 @@ void FieldRenderer::Parts::begin(const View& view, const FrameSettings& wanted, 
         prepareLayers(wanted);
     elapsed = blades->hasMoved() ? static_cast<float>(std::max(time - lastTime, 0.0)) : 0.0f;
     const HostView seen = hostView(view, wanted);
-    ViewExtras extras{.frozen = frozen, .drawsAll = wanted.debug == DebugMode::reason};
+    ViewExtras extras{.frozen = frozen,
+                      .drawsAll = wanted.debug == DebugMode::reason,
+                      .onlyMoves = view.onlyMoves};
     if (view.geometry == Geometry::raster) {
         layer.firstBlade = opaqueRaster->firstBlade();
         layer.clear = [this](const gpu::Recording& commands) {
@@ -437,7 +437,8 @@ void FieldRenderer::recordUpdateOnly(VkCommandBuffer buffer, const FrameSettings
     const gpu::LabelScope label(parts.context, commands, "field/update only");
     FrameSettings unseen = settings;
     unseen.cullMask &= ~std::uint32_t(cullOcclusion);
-    parts.begin({.target = glm::uvec2(1), .geometry = Geometry::tessellation}, unseen, time, slot);
+    parts.begin({.target = glm::uvec2(1), .geometry = Geometry::tessellation, .onlyMoves = true},
+                unseen, time, slot);
     parts.lastTime = time;
     ++parts.frameNumber;
     parts.recorder.recordMoveAll(commands);

@@ -26,8 +26,8 @@ class Timestamps;
 
 namespace sward::render {
 
-using LayerMask = std::uint32_t; ///< layers/layer.h
-struct LayerWords;               ///< layers/frame_layers.h
+using LayerMask = std::uint32_t; ///< layers/frame_layers.h
+struct LayerWords;
 
 /// Draws one field into the caller's pictures. Starts no threads but for a field that is sown, owns
 /// no window, submits nothing while recording (but see copied()). The constructor uploads the field
@@ -68,9 +68,9 @@ public:
         /// If `whole` is not 0: the picture is the part of one of `whole` pixels that begins at
         /// pixel `first`. Not for streamed fields, which hold what one view shows.
         glm::uvec2 whole{0};
-        glm::ivec2 first{0}; ///< [pixels]
-
-        LayerMask layers = 0; ///< to be written besides: see layerWords()
+        glm::ivec2 first{0};                   ///< [pixels]
+        LayerMask layers = 0;                  ///< to be written besides: see layerWords()
+        VkBuffer layerBuffer = VK_NULL_HANDLE; ///< for their words; null: one of the renderer's
         /// Of the frame before, for flow; null: the camera of the last record().
         const Camera* cameraBefore = nullptr;
     };
@@ -88,7 +88,8 @@ public:
 
     /// The layers of the frame last recorded in `slot` (Target::layers), after its commands have
     /// completed. layersOf() makes arrays of them. Layer::flowForward is that of the frame recorded
-    /// before, if that had it, too: its places are followed to this frame.
+    /// before, if that had it, too: its places are followed to this frame. With a
+    /// Target::layerBuffer, which gets layerBytes() by a transfer, no words are copied and read.
     LayerWords layerWords(const field::FieldView& field, std::uint32_t slot = 0) const;
 
     /// Lets the next frame begin anew: its blades are settled in its wind, whatever was drawn

@@ -3,39 +3,10 @@
 #include "core/error.h"
 #include "render/cull/pass_scope.h"
 #include "render/frame/frame.h"
-#include "render/sowing/sowing.h"
+#include "render/resident/resident_ids.h"
 #include "render/viewer/field_renderer_parts.h"
 
-#include <memory>
-#include <vector>
-
 namespace sward::render {
-namespace {
-
-/// Ids by the number that the visibility knows a blade by; null if that is its number in the field.
-std::shared_ptr<const std::vector<std::uint64_t>> idsOf(const DeviceField& own,
-                                                        const field::FieldView& field)
-{
-    if (!own.edits && !own.sowing)
-        return nullptr;
-    const std::vector<std::uint32_t> places =
-        own.edits ? own.edits->field().placesOf(field) : own.sowing->placesOf(field);
-    std::vector<std::uint64_t> ids(own.blades.placeCount(), 0);
-    for (std::size_t i = 0; i < places.size(); ++i)
-        if (places[i] < ids.size())
-            ids[places[i]] = field.idOf(i);
-    if (own.sowing)
-        for (const SownTables::Resident& resident : own.sowing->residents()) {
-            const field::GrownUnit grown = own.sowing->grownAgain(resident.unit);
-            for (std::size_t p = 0; p < grown.patches.size(); ++p)
-                for (std::uint32_t i = 0; i < grown.patches[p].bladeCount; ++i)
-                    ids[resident.patches[p].firstBlade + i] =
-                        field::bladeId(grown.keys[grown.patches[p].firstBlade + i]);
-        }
-    return std::make_shared<const std::vector<std::uint64_t>>(std::move(ids));
-}
-
-} // namespace
 
 LayerWords FieldRenderer::layerWords(const field::FieldView& field, std::uint32_t slot) const
 {
@@ -45,7 +16,7 @@ LayerWords FieldRenderer::layerWords(const field::FieldView& field, std::uint32_
     requireUsage(parts.layers.has_value(), "no frame with layers has been recorded");
     LayerWords words = parts.layers->wordsOf(slot);
     if ((words.wanted & (bitOf(Layer::blade) | bitOf(Layer::plant))) != 0)
-        words.ids = idsOf(*parts.field, field);
+        words.ids = residentIdsOf(*parts.field, field);
     return words;
 }
 
@@ -103,7 +74,8 @@ void FieldRenderer::Parts::recordLayers(const gpu::Recording& commands, const Ta
                                   .push = push,
                                   .frame = frame(),
                                   .motion = blades->motion(recorder.slot, 0),
-                                  .elapsed = elapsed};
+                                  .elapsed = elapsed,
+                                  .into = target.layerBuffer};
     layers->fit(recorder.slot, input);
     const DispatchScope scope(context, commands, timestamps, "layers");
     layers->record(commands, recorder.slot, input);

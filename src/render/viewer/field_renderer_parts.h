@@ -59,11 +59,11 @@ struct FieldRenderer::Parts {
     BladeRecords records;               ///< per blade
     std::unique_ptr<DeviceField> field; ///< what the instance shows
     std::optional<field::OwnedField>
-        source;                    ///< what streaming and sowing read, unless the caller has it
-    PlacedField* blades = nullptr; ///< the only instance of the recorder
-    double lastTime = 0.0;         ///< [s] of the frame before
-    float elapsed = 0.0f;          ///< [s] since then, of the frame being recorded
-    std::optional<LayersPass> layers;     ///< made when the first are wanted
+        source;                       ///< what streaming and sowing read, unless the caller has it
+    PlacedField* blades = nullptr;    ///< the only instance of the recorder
+    double lastTime = 0.0;            ///< [s] of the frame before
+    float elapsed = 0.0f;             ///< [s] since then, of the frame being recorded
+    std::optional<LayersPass> layers; ///< made when the first are wanted
     std::optional<glm::mat4> seenBefore; ///< projection of the last picture
     std::uint32_t frameNumber = 0;
     shared::DepthPyramid frozen = {}; ///< of the last picture whose camera culled; may be none
@@ -76,6 +76,7 @@ struct FieldRenderer::Parts {
         Geometry geometry = Geometry::automatic;
         std::optional<glm::mat4> before{}; ///< projection of the frame before
         LayerMask layers = 0;
+        bool onlyMoves = false; ///< see ViewExtras
     };
 
     std::unique_ptr<DeviceField> uploadedField(const field::FieldView& view);

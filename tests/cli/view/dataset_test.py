@@ -16,7 +16,11 @@ VIEWER = os.environ["SWARD_VIEW_PROGRAM"]
 ENVIRONMENT = {name: value for name, value in os.environ.items()
                if name not in ("DISPLAY", "WAYLAND_DISPLAY")}
 FRAMES = 8
-SCENE = {"about": "a test", "fields": ["f.sward", "g.sward"], "size": "48x32", "frames": FRAMES, "seed": 3,
+BAKES = {"fields": 2, "ground": {"plane": 1, "flat.obj": 1},
+         "options": {"scale": 0.1, "blade-scale": 0.6, "count": [200, 700], "meadow": {"lawn": 1, "own.json": 2},
+                     "align": ["normal", "vertical"], "slope": "0:{30..40}", "bare-names": "none"},
+         "set": {"clump_size_m": [0.2, 0.6]}}
+SCENE = {"about": "a test", "fields": ["f.sward"], "bakes": BAKES, "size": "48x32", "frames": FRAMES, "seed": 3,
          "layers": "depth,id,class,flow-backward,flow-forward", "format": "npz",
          "cameras": {"height_m": [0.3, 0.6], "pitch_deg": [-60, -30], "heading_deg": [0, 360], "fov_y_deg": [40, 60],
                      "speed_m_s": [0.2, 1], "x_m": [-0.5, 0.5]},
@@ -30,9 +34,11 @@ class DatasetCase(unittest.TestCase):
         folder = tempfile.TemporaryDirectory(prefix="sward-dataset-")
         cls.addClassCleanup(folder.cleanup)
         cls.folder = Path(folder.name)
-        for name, count in (("f", "900"), ("g", "300")):
-            cls.run_program(SWARD, "bake", "plane", "--scale", "0.1", "--count", count, "--blade-scale", "0.6",
-                            "-o", f"{name}.sward")
+        cls.run_program(SWARD, "bake", "plane", "--scale", "0.1", "--count", "900", "--blade-scale", "0.6",
+                        "-o", "f.sward")
+        (cls.folder / "flat.obj").write_text("v -5 0 -5\nv -5 0 5\nv 5 0 5\nv 5 0 -5\nf 1 2 3 4\n", encoding="utf-8")
+        (cls.folder / "own.json").write_text(json.dumps({"name": "own", "species": [
+            {"name": "reed", "share": 1, "height_m": [0.2, 0.3], "width_m": [0.004, 0.006]}]}), encoding="utf-8")
         (cls.folder / "set.json").write_text(json.dumps(SCENE), encoding="utf-8")
         cls.dataset("-o", "one")
 
@@ -49,8 +55,8 @@ class DatasetCase(unittest.TestCase):
 
     def files(self, name):
         """What a folder holds, but for what a process that was killed had begun."""
-        return {file.name: file.read_bytes() for file in (self.folder / name).iterdir()
-                if file.suffix in (".json", ".npz") and not file.name.startswith(".")}
+        return {file.name: file.read_bytes() for file in (self.folder / name).rglob("*")
+                if file.suffix in (".json", ".npz", ".sward") and not file.name.startswith(".")}
 
     def frame(self, number):
         return (json.loads((self.folder / f"one/frame_{number:08}.json").read_text(encoding="utf-8")),
@@ -60,7 +66,8 @@ class DatasetCase(unittest.TestCase):
 class Dataset(DatasetCase):
     def test_frames_vary_within_the_stated_ranges(self):
         described = [self.frame(i)[0] for i in range(FRAMES)]
-        self.assertEqual({frame["field"] for frame in described}, {"f.sward", "g.sward"})
+        self.assertEqual({frame["field"] for frame in described},
+                         {"f.sward"} | {file.name for file in (self.folder / "one/fields").iterdir()})
         self.assertEqual(len({tuple(frame["camera"]["eye"]) for frame in described}), FRAMES)
         for frame in described:
             x, height, _ = frame["camera"]["eye"]
@@ -69,6 +76,27 @@ class Dataset(DatasetCase):
             self.assertTrue(1 <= frame["wind_strength"] <= 4)
             sine = frame["sun_direction"][1]
             self.assertTrue(np.sin(np.radians(20)) <= sine <= np.sin(np.radians(60)))
+
+    def test_fields_are_baked_within_the_stated_ranges(self):
+        manifest = json.loads((self.folder / "one/manifest.json").read_text(encoding="utf-8"))
+        bakes = manifest["bakes"]
+        self.assertEqual(len(bakes), BAKES["fields"])
+        self.assertEqual(len(manifest["fields"]), 1 + len(bakes))
+        self.assertEqual(len({tuple(bake) for bake in bakes}), len(bakes))
+        fields = sorted((self.folder / "one/fields").iterdir())
+        self.assertEqual(len(fields), len(bakes))
+        for bake, file in zip(bakes, fields):
+            self.assertIn(bake[0], BAKES["ground"])
+            options = dict(word[2:].split("=", 1) for word in bake[1:] if word.startswith("--") and "=" in word)
+            self.assertTrue(200 <= int(options["count"]) <= 700)
+            self.assertIn(options["meadow"], BAKES["options"]["meadow"])
+            self.assertTrue(30 <= float(options["slope"].split(":")[1]) <= 40)
+            self.assertTrue(0 <= int(options["seed"]) <= 2_000_000_000)
+            key, value = bake[bake.index("--set") + 1].split("=")
+            self.assertTrue(key == "clump_size_m" and 0.2 <= float(value) <= 0.6)
+            known = json.loads(self.run_program(SWARD, "info", file, "--json").stdout)
+            self.assertEqual(known["provenance"]["settings"]["seed"], int(options["seed"]))
+            self.assertNotIn(str(self.folder), json.dumps(manifest))
 
     def test_cameras_carry_depth_and_flow_from_frame_to_frame(self):
         for number in range(FRAMES):
@@ -128,7 +156,14 @@ class Dataset(DatasetCase):
         self.assertEqual(self.files("one"), before)
 
     def test_wrong_scenes_and_options_are_refused(self):
-        for change, code, says in (({"fields": []}, 3, "fields"), ({"size": "0x3"}, 3, "size"),
+        for change, code, says in (({"fields": []}, 3, "fields"), ({"bakes": {"fields": 2}}, 3, "ground"),
+                                   ({"bakes": BAKES | {"fields": 0}}, 3, "fields"),
+                                   ({"bakes": BAKES | {"ground": [1, 2]}}, 3, "ground"),
+                                   ({"bakes": BAKES | {"options": {"threads": 2}}}, 3, "options.threads"),
+                                   ({"bakes": BAKES | {"options": {"density": [9, 2]}}}, 3, "9 is above 2"),
+                                   ({"bakes": BAKES | {"options": {"meadow": {"lawn": 0}}}}, 3, "no weight"),
+                                   ({"bakes": BAKES | {"options": {"densitty": 2}}}, 1, "--densitty"),
+                                   ({"bakes": BAKES | {"ground": "none.glb"}}, 2, "none.glb"), ({"size": "0x3"}, 3, "size"),
                                    ({"layers": "depths"}, 3, "'depths'"), ({"framez": 3}, 3, "framez"),
                                    ({"cameras": {"height_m": [-2, 1]}}, 3, "height_m"),
                                    ({"cameras": {"x_m": [500, 600]}}, 3, "x_m"),
@@ -150,7 +185,7 @@ class LongDataset(DatasetCase):
                                     cwd=self.folder, env=ENVIRONMENT, stdout=subprocess.DEVNULL) for i in range(1, 5)]
         self.assertEqual([process.wait() for process in started], [0] * 4)
         self.assertEqual(self.files("one"), self.files("four"))
-        self.assertEqual(len(self.files("one")), 2 * FRAMES + 2)
+        self.assertEqual(len(self.files("one")), 2 * FRAMES + 2 + BAKES["fields"])
 
     def test_a_killed_run_goes_on_and_makes_the_same(self):
         process = subprocess.Popen([VIEWER, "dataset", "set.json", "-o", "killed"], cwd=self.folder, env=ENVIRONMENT,

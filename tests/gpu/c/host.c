@@ -334,8 +334,78 @@ static unsigned draw(sward_grass* grass, const sward_target* target, const sward
     return covered;
 }
 
+/* Memory for layers, which the CPU reads. */
+struct words {
+    VkBuffer buffer;
+    VkDeviceMemory memory;
+    VkDeviceAddress address;
+    void* mapped;
+};
+
+static struct words make_words(VkDeviceSize bytes)
+{
+    struct words made;
+    const VkBufferCreateInfo info = {.sType = VK_STRUCTURE_TYPE_BUFFER_CREATE_INFO,
+                                     .size = bytes,
+                                     .usage = VK_BUFFER_USAGE_STORAGE_BUFFER_BIT |
+                                              VK_BUFFER_USAGE_SHADER_DEVICE_ADDRESS_BIT};
+    REQUIRE(vkCreateBuffer(device, &info, NULL, &made.buffer) == VK_SUCCESS);
+    VkMemoryRequirements needs;
+    vkGetBufferMemoryRequirements(device, made.buffer, &needs);
+    const VkMemoryAllocateFlagsInfo flags = {.sType = VK_STRUCTURE_TYPE_MEMORY_ALLOCATE_FLAGS_INFO,
+                                             .flags = VK_MEMORY_ALLOCATE_DEVICE_ADDRESS_BIT};
+    const VkMemoryAllocateInfo allocation = {
+        .sType = VK_STRUCTURE_TYPE_MEMORY_ALLOCATE_INFO,
+        .pNext = &flags,
+        .allocationSize = needs.size,
+        .memoryTypeIndex = memory_type(needs.memoryTypeBits,
+                                       VK_MEMORY_PROPERTY_HOST_VISIBLE_BIT |
+                                           VK_MEMORY_PROPERTY_HOST_COHERENT_BIT)};
+    REQUIRE(vkAllocateMemory(device, &allocation, NULL, &made.memory) == VK_SUCCESS);
+    REQUIRE(vkBindBufferMemory(device, made.buffer, made.memory, 0) == VK_SUCCESS);
+    const VkBufferDeviceAddressInfo asked = {.sType = VK_STRUCTURE_TYPE_BUFFER_DEVICE_ADDRESS_INFO,
+                                             .buffer = made.buffer};
+    made.address = vkGetBufferDeviceAddress(device, &asked);
+    REQUIRE(vkMapMemory(device, made.memory, 0, bytes, 0, &made.mapped) == VK_SUCCESS);
+    return made;
+}
+
+static void destroy_words(struct words words)
+{
+    vkDestroyBuffer(device, words.buffer, NULL);
+    vkFreeMemory(device, words.memory, NULL);
+}
+
+/* The layers of a frame of the only instance say what its picture shows. */
+static void require_layers(const sward_grass* grass, const sward_field* field, uint32_t layers,
+                           const uint32_t* words, unsigned covered)
+{
+    static float depths[width * height];
+    static uint64_t ids[width * height];
+    sward_instance instance = 0;
+    uint32_t count = 0;
+    REQUIRE(sward_grass_get_layer_instances(grass, &instance, 1, &count) == SWARD_OK);
+    REQUIRE(count == 1 && instance != 0);
+    const sward_layer_instance named = {.field = field};
+    REQUIRE(sward_layer_read(words, layers, width, height, SWARD_LAYER_DEPTH, NULL, 0, depths,
+                             sizeof depths) == SWARD_OK);
+    REQUIRE(sward_layer_read(words, layers, width, height, SWARD_LAYER_BLADE, &named, 1, ids,
+                             sizeof ids) == SWARD_OK);
+    REQUIRE(sward_layer_read(words, layers, width, height, SWARD_LAYER_BLADE, &named, 1, ids, 8) ==
+            SWARD_ERROR_USAGE);
+    REQUIRE(sward_layer_read(words, layers, width, height, SWARD_LAYER_SUN, NULL, 0, depths, 8) ==
+            SWARD_ERROR_USAGE);
+    unsigned seen = 0;
+    for (unsigned i = 0; i < width * height; ++i) {
+        REQUIRE((ids[i] != 0) == (depths[i] < 1e6f));
+        REQUIRE(ids[i] == 0 || ids[i] >> 53 == 1);
+        seen += ids[i] != 0 ? 1u : 0u;
+    }
+    REQUIRE(seen >= covered && seen - covered < width); /* some grass may be black */
+}
+
 /* Stores one frame over a black picture; returns how many pixels are grass. */
-static unsigned store(sward_grass* grass, sward_frame frame)
+static unsigned store(sward_grass* grass, const sward_field* field, sward_frame frame)
 {
     const VkImageAspectFlags aspect = VK_IMAGE_ASPECT_COLOR_BIT;
     const struct picture color = make_picture(VK_FORMAT_R8G8B8A8_UNORM,
@@ -362,6 +432,11 @@ static unsigned store(sward_grass* grass, sward_frame frame)
     REQUIRE(sward_grass_begin(grass, 0, &frame) == SWARD_ERROR_USAGE);
     require_words("is_bgr is true");
     stored.is_bgr = false;
+    const uint32_t layers = SWARD_LAYER_DEPTH | SWARD_LAYER_BLADE;
+    const struct words words = make_words(sward_layer_bytes(layers, width, height));
+    view.layers = layers;
+    REQUIRE(sward_grass_begin(grass, 0, &frame) == SWARD_ERROR_USAGE); /* no address */
+    view.layer_words = words.address;
     REQUIRE(sward_grass_begin(grass, 0, &frame) == SWARD_OK);
     REQUIRE(sward_grass_why_not_stored(grass, 0) == NULL);
     REQUIRE(sward_grass_why_not_stored(grass, 1) != NULL);
@@ -374,6 +449,8 @@ static unsigned store(sward_grass* grass, sward_frame frame)
     REQUIRE(sward_grass_record_cull(grass, commands, 0) == SWARD_OK);
     REQUIRE(sward_grass_record_raster(grass, commands, 0) == SWARD_OK);
     const unsigned covered = submit_and_count(commands, color.image, VK_IMAGE_LAYOUT_GENERAL);
+    require_layers(grass, field, layers, words.mapped, covered);
+    destroy_words(words);
     destroy_picture(color);
     return covered;
 }
@@ -684,7 +761,7 @@ static void draw_field(const sward_field* field, const char* path, const char* d
                covered, width * height, (unsigned long long)stats.drawn);
         if (sward_grass_why_tessellated(grass, 0, target) == NULL) {
             const unsigned long drawn = brightness;
-            const unsigned stored = store(grass, frame);
+            const unsigned stored = store(grass, field, frame);
             REQUIRE(stored + covered / 100 >= covered && stored <= covered + covered / 100);
             REQUIRE(labs((long)brightness - (long)drawn) < (long)(drawn / 50));
         }

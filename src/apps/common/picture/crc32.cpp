@@ -1,12 +1,16 @@
 #include "apps/common/picture/crc32.h"
 
 #include <array>
+#include <bit>
+#include <cstring>
 
 namespace sward::apps {
 namespace {
 
-/// Tables of the CRC-32 of ISO 3309, for eight bytes at a time.
-using CrcTables = std::array<std::array<std::uint32_t, 256>, 8>;
+constexpr std::size_t crcStep = 16; ///< [bytes] at a time
+
+/// Tables of the CRC-32 of ISO 3309, for the bytes of a crcStep.
+using CrcTables = std::array<std::array<std::uint32_t, 256>, crcStep>;
 
 constexpr CrcTables crcTables = [] {
     CrcTables tables{};
@@ -17,27 +21,35 @@ constexpr CrcTables crcTables = [] {
         tables[0][i] = crc;
     }
     for (std::uint32_t i = 0; i < 256; ++i)
-        for (std::size_t step = 1; step < tables.size(); ++step)
-            tables[step][i] = (tables[step - 1][i] >> 8U) ^ tables[0][tables[step - 1][i] & 255U];
+        for (std::size_t k = 1; k < tables.size(); ++k)
+            tables[k][i] = (tables[k - 1][i] >> 8U) ^ tables[0][tables[k - 1][i] & 255U];
     return tables;
 }();
 
 } // namespace
 
-std::uint32_t crc32Of(std::span<const std::byte> bytes)
+std::uint32_t crc32Of(std::span<const std::byte> bytes, std::uint32_t before)
 {
-    const auto at = [&](std::size_t i) { return std::to_integer<std::uint32_t>(bytes[i]); };
-    std::uint32_t crc = ~0U;
+    const auto wordAt = [&](std::size_t i) {
+        std::array<std::uint32_t, 2> words{};
+        std::memcpy(words.data(), bytes.data() + i, sizeof words);
+        return words;
+    };
+    static_assert(std::endian::native == std::endian::little);
+    std::uint32_t crc = ~before;
     std::size_t i = 0;
-    for (; i + 8 <= bytes.size(); i += 8) {
-        const std::uint32_t low =
-            crc ^ (at(i) | at(i + 1) << 8U | at(i + 2) << 16U | at(i + 3) << 24U);
-        crc = crcTables[7][low & 255U] ^ crcTables[6][low >> 8U & 255U] ^
-              crcTables[5][low >> 16U & 255U] ^ crcTables[4][low >> 24U] ^ crcTables[3][at(i + 4)] ^
-              crcTables[2][at(i + 5)] ^ crcTables[1][at(i + 6)] ^ crcTables[0][at(i + 7)];
+    for (; i + crcStep <= bytes.size(); i += crcStep) {
+        auto [a, b] = wordAt(i);
+        const auto [c, d] = wordAt(i + 8);
+        a ^= crc;
+        crc = 0;
+        std::size_t table = crcStep;
+        for (const std::uint32_t word : {a, b, c, d})
+            for (std::uint32_t shift = 0; shift < 32; shift += 8)
+                crc ^= crcTables[--table][word >> shift & 255U];
     }
     for (; i < bytes.size(); ++i)
-        crc = (crc >> 8U) ^ crcTables[0][(crc ^ at(i)) & 255U];
+        crc = (crc >> 8U) ^ crcTables[0][(crc ^ std::to_integer<std::uint32_t>(bytes[i])) & 255U];
     return ~crc;
 }
 

@@ -58,9 +58,8 @@ void addCommon(Bytes& header, const Entry& entry)
         .add(0, 2);
 }
 
-} // namespace
-
-std::vector<std::byte> npyBytes(const NumberArray& array)
+/// What stands in an .npy file before the elements.
+std::vector<std::byte> npyHeader(const NumberArray& array)
 {
     std::size_t count = 1;
     std::string shape;
@@ -77,10 +76,17 @@ std::vector<std::byte> npyBytes(const NumberArray& array)
     header.resize(whole - before - 1, ' ');
     header += '\n';
     Bytes bytes;
-    bytes.all().reserve(whole + array.bytes.size());
     bytes.add("\x93NUMPY").add(1, 1).add(0, 1).add(header.size(), 2).add(header);
-    bytes.all().insert(bytes.all().end(), array.bytes.begin(), array.bytes.end());
     return std::move(bytes.all());
+}
+
+} // namespace
+
+std::vector<std::byte> npyBytes(const NumberArray& array)
+{
+    std::vector<std::byte> bytes = npyHeader(array);
+    bytes.insert(bytes.end(), array.bytes.begin(), array.bytes.end());
+    return bytes;
 }
 
 void writeNpz(std::span<const NumberArray> arrays, const std::filesystem::path& path,
@@ -102,14 +108,16 @@ void writeNpz(std::span<const NumberArray> arrays, const std::filesystem::path& 
         at += bytes.size();
     };
     for (const NumberArray& array : arrays) {
-        const std::vector<std::byte> content = npyBytes(array);
-        const Entry entry{array.name + ".npy", crc32Of(content), content.size(), at};
+        const std::vector<std::byte> begin = npyHeader(array);
+        const Entry entry{array.name + ".npy", crc32Of(array.bytes, crc32Of(begin)),
+                          begin.size() + array.bytes.size(), at};
         Bytes header;
         header.add(0x04034b50, 4);
         addCommon(header, entry);
         header.add(entry.name);
         write(header.all());
-        write(content);
+        write(begin);
+        write(array.bytes);
         entries.push_back(entry);
     }
     const std::uint64_t directory = at;

@@ -1,8 +1,12 @@
+#include "apps/common/field_input.h"
 #include "apps/common/output.h"
 #include "apps/common/parse_text.h"
+#include "apps/common/temporary_folder.h"
 #include "apps/common/terminal/progress_bar.h"
 #include "apps/sward_view/commands.h"
+#include "apps/sward_view/dataset/bake_draws.h"
 #include "apps/sward_view/dataset/dataset_files.h"
+#include "apps/sward_view/dataset/set_drawing.h"
 #include "apps/sward_view/dataset/work_queue.h"
 #include "apps/sward_view/graphics.h"
 #include "core/error.h"
@@ -10,6 +14,8 @@
 #include "core/stopwatch.h"
 #include "core/system/freed_memory.h"
 #include "field/read.h"
+#include "gpu/device/device.h"
+#include "gpu/device/instance.h"
 
 #include <CLI/CLI.hpp>
 #include <fmt/core.h>
@@ -17,6 +23,9 @@
 #include <algorithm>
 #include <atomic>
 #include <charconv>
+#include <cstring>
+#include <deque>
+#include <filesystem>
 #include <memory>
 #include <optional>
 #include <string>
@@ -25,6 +34,8 @@
 
 namespace sward::view {
 namespace {
+
+namespace fs = std::filesystem;
 
 constexpr std::uint32_t maxShares = 100'000;
 constexpr std::uint32_t maxThreads = 1024;
@@ -73,7 +84,9 @@ Share parseShare(const std::string& text)
 struct Done {
     std::uint64_t frames = 0;
     double deviceTime = 0.0; ///< [ms]
+    double seconds = 0.0;    ///< of drawing and writing
     std::atomic<std::uint64_t> bytes = 0;
+    std::atomic<double> writing = 0.0; ///< [s] of all threads together
 };
 
 FrameOptions frameOptionsOf(const DatasetScene& scene, const DatasetOptions& options,
@@ -91,76 +104,82 @@ FrameOptions frameOptionsOf(const DatasetScene& scene, const DatasetOptions& opt
     return frame;
 }
 
-/// Draws a frame without a past, and takes its layers.
-LayeredFrame drawOne(Headless& headless, const DatasetScene& scene, const DrawnFrame& what,
-                     render::LayerMask layers, bool isRadiance, render::LayerWords& words,
-                     render::LayerWords& next)
+/// The picture and the layers of a frame, out of the memory of its place, which they leave.
+LayeredFrame taken(const SetDrawing& drawing, const DatasetScene& scene, bool isRadiance,
+                   SetDrawing::Submitted submitted)
 {
-    headless.forgetMotion();
-    for (std::uint32_t i = scene.settling; i > 0; --i)
-        headless.move(what.settings, what.time - double(i) * scene.step);
-    headless.draw({what.camera, what.before, what.settings, what.time}, layers);
     LayeredFrame drawn;
-    if (layers != 0)
-        words = headless.layerWords();
-    if (isRadiance)
-        drawn.radiance = headless.radiance();
-    else
-        drawn.picture = headless.picture();
-    constexpr render::LayerMask ahead = render::bitOf(render::Layer::flowForward);
-    if ((layers & ahead) != 0) {
-        headless.draw({what.next, what.camera, what.settings, what.time + scene.step}, ahead);
-        next = headless.layerWords();
+    drawn.layers = drawing.layersOf(submitted);
+    if (isRadiance) {
+        drawn.radiance.size = scene.size;
+        drawn.radiance.rgba.resize(submitted.picture.size() / sizeof(std::uint16_t));
+        std::memcpy(drawn.radiance.rgba.data(), submitted.picture.data(), submitted.picture.size());
+    } else {
+        const auto* first = reinterpret_cast<const std::uint8_t*>(submitted.picture.data());
+        drawn.picture = {scene.size, {first, first + submitted.picture.size()}};
     }
     return drawn;
 }
 
-/// Draws the frames of one field.
-void drawFramesOf(Headless& headless, const DatasetScene& scene, const DatasetFiles* files,
+/// Draws the frames of one field: the device draws one while the CPU prepares the next one, and
+/// while threads take the ones before out of its memory and write them.
+void drawFramesOf(SetDrawing& drawing, const FrameDraws& draws, bool isRadiance,
+                  const DatasetScene& scene, const DatasetFiles* files,
                   std::span<const std::uint64_t> frames, WorkQueue& queue, Progress& progress,
                   Done& done)
 {
-    const bool isRadiance = scene.format != DatasetFormat::png;
-    const render::LayerMask layers = scene.layers | layersForObjects(scene);
-    render::FrameSettings settings = headless.settings();
-    settings.leavesThinned = true;
-    const FrameDraws draws(scene, headless.field(), settings);
-    for (const std::uint64_t frame : frames) {
-        const auto what = std::make_shared<const DrawnFrame>(draws.draw(frame));
-        const auto words = std::make_shared<render::LayerWords>();
-        const auto next = std::make_shared<render::LayerWords>();
-        const auto drawn = std::make_shared<LayeredFrame>(
-            drawOne(headless, scene, *what, layers, isRadiance, *words, *next));
-        done.deviceTime += headless.takeDeviceTime();
+    struct InFlight {
+        std::uint64_t frame;
+        std::shared_ptr<const DrawnFrame> what;
+        SetDrawing::Submitted submitted;
+    };
+    std::deque<InFlight> inFlight;
+    const auto handOver = [&] {
+        InFlight first = std::move(inFlight.front());
+        inFlight.pop_front();
+        drawing.wait(first.submitted);
+        done.deviceTime += drawing.takeDeviceTime();
         ++done.frames;
         if (files == nullptr) {
             progress.advance(1);
-            continue;
+            return;
         }
-        queue.add([&headless, &progress, &done, files, frame, what, words, next, drawn] {
-            constexpr auto forward = static_cast<std::size_t>(render::Layer::flowForward);
-            if (words->wanted != 0)
-                drawn->layers = headless.layersOf(*words);
-            if (next->wanted != 0)
-                drawn->layers.arrays[forward] = headless.layersOf(*next).arrays[forward];
-            done.bytes += files->write(frame, *what, std::move(*drawn));
+        queue.add([&drawing, &scene, &progress, &done, isRadiance, files,
+                   first = std::make_shared<InFlight>(std::move(first))] {
+            Stopwatch watch;
+            LayeredFrame drawn = taken(drawing, scene, isRadiance, std::move(first->submitted));
+            done.bytes += files->write(first->frame, *first->what, std::move(drawn));
+            done.writing += watch.lap();
             progress.advance(1);
         });
+    };
+    for (const std::uint64_t frame : frames) {
+        const auto what = std::make_shared<const DrawnFrame>(draws.draw(frame));
+        inFlight.push_back({frame, what, drawing.submit(*what)});
+        if (inFlight.size() > 1)
+            handOver();
     }
+    while (!inFlight.empty())
+        handOver();
     // What writes refers to this field.
     queue.finish();
+    drawing.finish();
+    done.deviceTime += drawing.takeDeviceTime();
 }
 
-std::string datasetSummary(const DatasetOptions& options, const Done& done, double seconds)
+std::string datasetSummary(const DatasetOptions& options, const Done& done)
 {
     if (done.frames == 0)
         return fmt::format("{}: nothing is left to draw\n", options.folder);
     const double frames = double(done.frames);
+    const double seconds = std::max(done.seconds, 1e-9);
     std::string text = fmt::format("{} frames: {:.1f} frames per second on the device", done.frames,
                                    1e3 * frames / std::max(done.deviceTime, 1e-9));
-    text += options.nullOutput ? fmt::format(", {:.1f} drawn\n", frames / seconds)
-                               : fmt::format(", {:.1f} written, {:.1f} MB each\n", frames / seconds,
-                                             1e-6 * double(done.bytes) / frames);
+    text += options.nullOutput
+                ? fmt::format(", {:.1f} drawn\n", frames / seconds)
+                : fmt::format(", {:.1f} written, {:.1f} MB and {:.0f} ms of a thread each\n",
+                              frames / seconds, 1e-6 * double(done.bytes) / frames,
+                              1e3 * done.writing / frames);
     return text;
 }
 
@@ -176,6 +195,53 @@ framesLeft(const DatasetScene& scene, const DatasetOptions& options, const Datas
     return left;
 }
 
+/// Draws the frames that are left, field after field, on one device.
+void drawAll(const DatasetScene& scene, const DatasetOptions& options,
+             std::span<const field::FieldView> fields, const DatasetFiles* output,
+             std::span<const std::vector<std::uint64_t>> left, Progress& progress, Done& done)
+{
+    const bool isRadiance = scene.format != DatasetFormat::png;
+    const std::uint32_t threads =
+        options.threads > 0 ? options.threads : std::max(std::thread::hardware_concurrency(), 1U);
+    const gpu::Instance instance = createInstance(options.validation);
+    const gpu::Device device(instance, {.selection = options.device});
+    for (std::size_t field = 0; field < left.size(); ++field) {
+        if (left[field].empty())
+            continue;
+        const FrameOptions frame = frameOptionsOf(scene, options, field);
+        SetDrawing drawing(device, scene, frame, fields[field], isRadiance, threads);
+        const FrameDraws draws(scene, fields[field], drawing.settings());
+        if (output != nullptr)
+            output->writeManifest(device.context().name + " (" + device.context().driver + ")");
+        // Ends before what its tasks use.
+        WorkQueue queue(threads);
+        Stopwatch watch;
+        drawFramesOf(drawing, draws, isRadiance, scene, output, left[field], queue, progress, done);
+        done.seconds += watch.lap();
+        failOnValidationMessages(instance);
+    }
+}
+
+/// Bakes what the scene asks for into `folder`/fields, unless it is there, and adds it to the
+/// scene's fields.
+std::vector<DrawnBake> bakeFor(DatasetScene& scene, const DatasetOptions& options,
+                               const fs::path& folder)
+{
+    std::vector<DrawnBake> bakes = drawBakes(scene.bakes, scene.seed, scene.file.parent_path());
+    if (bakes.empty())
+        return bakes;
+    if (scene.fields.size() + bakes.size() > render::LayerId::maxFields)
+        fail(ErrorKind::input, "{}: {} fields, and {} bakes; expected {} at most together",
+             scene.file.string(), scene.fields.size(), bakes.size(), render::LayerId::maxFields);
+    const fs::path fields = folder / "fields";
+    const std::size_t first =
+        std::size_t(options.share.number - 1) * bakes.size() / options.share.of;
+    bakeMissing(bakes, fields, first, scene.file.string(), options.log.showBar());
+    for (const DrawnBake& bake : bakes)
+        scene.fields.push_back((fields / bake.file).string());
+    return bakes;
+}
+
 int makeDataset(const DatasetOptions& options)
 {
     options.log.apply();
@@ -185,14 +251,24 @@ int makeDataset(const DatasetOptions& options)
         fail(ErrorKind::usage, "--null-output: writes nothing, so not with -o");
     if (!options.nullOutput && options.folder.empty())
         fail(ErrorKind::usage, "-o is missing: the folder of the set");
-    const DatasetScene scene = readDatasetScene(options.scene);
+    DatasetScene scene = readDatasetScene(options.scene);
+    if (!options.nullOutput)
+        DatasetFiles::requireScene(scene, options.folder);
+    // Without output its fields go with this folder.
+    std::optional<apps::TemporaryFolder> temporary;
+    if (options.nullOutput && scene.bakes.count > 0)
+        temporary.emplace("sward-view");
+    const std::vector<DrawnBake> bakes =
+        bakeFor(scene, options, temporary ? temporary->path() : fs::path(options.folder));
     std::vector<field::MappedField> stored;
     std::vector<field::FieldView> views;
-    for (const std::string& name : scene.fields)
+    for (const std::string& name : scene.fields) {
+        apps::requireField(name);
         views.push_back(stored.emplace_back(field::readField(name)).view());
+    }
     std::optional<DatasetFiles> files;
     if (!options.nullOutput)
-        files.emplace(scene, views, options.folder);
+        files.emplace(scene, views, bakes, options.folder);
     const DatasetFiles* const output = files ? &*files : nullptr;
 
     const auto left = framesLeft(scene, options, output);
@@ -203,27 +279,12 @@ int makeDataset(const DatasetOptions& options)
     Progress progress(bar.callback());
     progress.begin("frames", count);
     Done done;
-    double seconds = 0.0;
-    const std::size_t cores = std::max(std::thread::hardware_concurrency(), 1U);
-    for (std::size_t field = 0; field < left.size(); ++field) {
-        if (left[field].empty())
-            continue;
-        const FrameOptions frame = frameOptionsOf(scene, options, field);
-        Headless headless(frame, {.radiance = scene.format != DatasetFormat::png,
-                                  .layers = scene.layers | layersForObjects(scene)});
-        if (output != nullptr)
-            output->writeManifest(headless.deviceName());
-        // Ends before what its tasks use.
-        WorkQueue queue(options.threads > 0 ? options.threads : cores);
-        Stopwatch watch;
-        drawFramesOf(headless, scene, output, left[field], queue, progress, done);
-        seconds += watch.lap();
-        failOnValidationMessages(headless.instance());
-    }
+    if (count > 0)
+        drawAll(scene, options, views, output, left, progress, done);
     if (output != nullptr && output->isComplete())
         output->writeObjects();
     bar.clear();
-    apps::writeResult(datasetSummary(options, done, std::max(seconds, 1e-9)));
+    apps::writeResult(datasetSummary(options, done));
     return 0;
 }
 

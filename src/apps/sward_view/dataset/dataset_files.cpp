@@ -1,13 +1,13 @@
 #include "apps/sward_view/dataset/dataset_files.h"
 
 #include "apps/common/version.h"
+#include "apps/sward_view/dataset/file_hash.h"
 #include "apps/sward_view/picture/layer_files.h"
 #include "core/error.h"
 #include "core/files/atomic_file.h"
 #include "core/files/mapped_file.h"
 #include "core/json/json_text.h"
 #include "core/json/settings_json.h"
-#include "core/random.h"
 
 #include <fmt/format.h>
 #include <glm/geometric.hpp>
@@ -16,7 +16,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstring>
 #include <utility>
 
 namespace sward::view {
@@ -76,25 +75,20 @@ std::string wholeText(const fs::path& path)
     return {reinterpret_cast<const char*>(bytes.data()), bytes.size()};
 }
 
-/// A hash of a file's bytes, of 64 bits.
-std::string hashOfFile(const fs::path& path)
+constexpr const char* manifestName = "manifest.json";
+
+[[noreturn]] void failAsOther(const fs::path& manifest, const std::string& key)
 {
-    const MappedFile file(path);
-    const std::span<const std::byte> bytes = file.bytes();
-    std::uint64_t hash = bytes.size();
-    for (std::size_t at = 0; at < bytes.size(); at += sizeof hash) {
-        std::uint64_t word = 0;
-        std::memcpy(&word, bytes.data() + at, std::min(sizeof word, bytes.size() - at));
-        hash = mixBits(hash ^ word) + 0x9e3779b97f4a7c15ULL;
-    }
-    return fmt::format("{:016x}", hash);
+    fail(ErrorKind::usage, "{}: is of another set: its \"{}\" differs; choose another folder",
+         manifest.string(), key);
 }
 
 } // namespace
 
 DatasetFiles::DatasetFiles(const DatasetScene& scene, std::span<const field::FieldView> fields,
-                           fs::path folder)
+                           std::span<const DrawnBake> bakes, fs::path folder)
     : scene_(scene)
+    , bakes_(bakes)
     , folder_(std::move(folder))
 {
     for (std::size_t i = 0; i < fields.size(); ++i) {
@@ -131,12 +125,24 @@ bool DatasetFiles::isComplete() const
     return true;
 }
 
+void DatasetFiles::requireScene(const DatasetScene& scene, const fs::path& folder)
+{
+    const fs::path path = folder / manifestName;
+    if (!fs::exists(path))
+        return;
+    const nlohmann::json there = parseJson(wholeText(path), path.string());
+    if (!there.contains("scene") || there.at("scene") != nlohmann::json::parse(scene.text))
+        failAsOther(path, "scene");
+}
+
 void DatasetFiles::writeManifest(const std::string& device) const
 {
     OrderedJson json;
     json["program"] = apps::versionText("sward-view");
     json["device"] = device;
     json["scene"] = OrderedJson::parse(scene_.text);
+    for (const DrawnBake& bake : bakes_)
+        json["bakes"].push_back(bake.shown);
     for (const std::string& content : contents_)
         json["fields"].push_back(content);
     for (const std::string* file : {&scene_.settings, &scene_.path})
@@ -145,7 +151,7 @@ void DatasetFiles::writeManifest(const std::string& device) const
     for (const Category& category : categories_)
         json["categories"].push_back(category.name);
     const std::string text = jsonText(json, 2) + "\n";
-    const fs::path path = folder_ / "manifest.json";
+    const fs::path path = folder_ / manifestName;
     if (!fs::exists(path)) {
         AtomicFile file(path, true);
         file.write(text);
@@ -158,9 +164,7 @@ void DatasetFiles::writeManifest(const std::string& device) const
     const nlohmann::json there = parseJson(former, path.string());
     for (const auto& [key, value] : json.items())
         if (!there.contains(key) || there.at(key) != nlohmann::json(value))
-            fail(ErrorKind::usage,
-                 "{}: is of another set: its \"{}\" differs; choose another folder", path.string(),
-                 key);
+            failAsOther(path, key);
     fail(ErrorKind::usage, "{}: is of another set; choose another folder", path.string());
 }
 

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "apps/sward_view/dataset/annotations.h"
+#include "apps/sward_view/dataset/bake_draws.h"
 #include "apps/sward_view/dataset/dataset_scene.h"
 #include "apps/sward_view/dataset/frame_draws.h"
 #include "apps/sward_view/headless/layered_drawing.h"
@@ -23,10 +24,13 @@ public:
         std::string name;
     };
 
-    /// `fields`: as DatasetScene::fields; their species become categories. Makes the folder. Throws
-    /// Error{io} if that is impossible.
+    /// `fields`: as DatasetScene::fields; their species become categories. `bakes`: what made some
+    /// of them. All must outlive it. Makes the folder. Throws Error{io} if that is impossible.
     DatasetFiles(const DatasetScene& scene, std::span<const field::FieldView> fields,
-                 std::filesystem::path folder);
+                 std::span<const DrawnBake> bakes, std::filesystem::path folder);
+
+    /// Throws Error{usage} if the folder has the manifest of another scene.
+    static void requireScene(const DatasetScene& scene, const std::filesystem::path& folder);
 
     bool isFinished(std::uint64_t frame) const;
 
@@ -50,6 +54,7 @@ private:
                               std::span<const SeenObject> objects) const;
 
     const DatasetScene& scene_;
+    std::span<const DrawnBake> bakes_;
     std::filesystem::path folder_;
     std::vector<Category> categories_;
     std::vector<std::vector<std::uint32_t>> categoryOf_; ///< [field][slot]

@@ -27,8 +27,14 @@ std::string besideScene(const DatasetScene& scene, const std::string& name)
 
 void readFields(SettingsReader& reader, DatasetScene& scene)
 {
+    const bool hasBakes = reader.has("bakes");
+    if (!reader.has("fields") && !hasBakes)
+        fail(ErrorKind::input, "{}: missing, and so is \"bakes\"", reader.placeOf("fields"));
+    if (hasBakes)
+        scene.bakes = readBakeRanges(reader.child("bakes"), reader.placeOf("bakes"),
+                                     render::LayerId::maxFields);
     if (!reader.has("fields"))
-        fail(ErrorKind::input, "{}: missing", reader.placeOf("fields"));
+        return;
     const nlohmann::json& names = reader.child("fields");
     if (!names.is_array() || names.empty() || names.size() > render::LayerId::maxFields)
         fail(ErrorKind::input, "{}: expected an array of 1 to {} names of fields",

@@ -1,6 +1,7 @@
 #pragma once
 
-#include "render/layers/layer.h"
+#include "apps/sward_view/dataset/bake_draws.h"
+#include "render/layers/frame_layers.h"
 
 #include <glm/vec2.hpp>
 
@@ -20,7 +21,8 @@ enum class DatasetFormat : std::uint32_t { exr, npz, png };
 struct DatasetScene {
     std::filesystem::path file;      ///< of the scene
     std::string text;                ///< of it, for the manifest
-    std::vector<std::string> fields; ///< field files; each frame shows one
+    std::vector<std::string> fields; ///< field files; each frame shows one, or one of …
+    BakeRanges bakes;                ///< … these; count 0: none
     glm::uvec2 size{640, 360};       ///< [pixels]
     std::uint32_t samples = 1;       ///< 1 or 4
     std::uint64_t frames = 1;        ///< 1 to 10 million

@@ -38,9 +38,13 @@ std::optional<BakeProgress> parseProgress(std::string_view line)
     return progress;
 }
 
-Baking::Baking(std::vector<std::string> arguments)
+Baking::Baking(std::vector<std::string> arguments, std::filesystem::path output)
+    : field_(output.empty() ? folder_.path() / "field.sward" : output)
 {
-    std::vector<std::string> all{swardProgram("it bakes a mesh before it is shown").string(), "bake"};
+    std::vector<std::string> all{swardProgram("it bakes a mesh before it is shown").string(),
+                                 "bake"};
+    if (!output.empty())
+        all.emplace_back("--force");
     all.insert(all.end(), arguments.begin(), arguments.end());
     for (const std::string& argument :
          {std::string("-o"), field().string(), std::string("--report"), report().string(),

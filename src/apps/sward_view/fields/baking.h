@@ -30,9 +30,10 @@ std::optional<BakeProgress> parseProgress(std::string_view line);
 /// and deletes its files.
 class Baking {
 public:
-    /// `arguments` of `sward bake`, without output, report and progress. Throws Error{io} if the
-    /// program is missing, Error{runtime} if it cannot be run.
-    explicit Baking(std::vector<std::string> arguments);
+    /// `arguments` of `sward bake`, without output, report and progress. `output`: the field to
+    /// write, which replaces one that is there; empty: in a temporary folder. Throws Error{io} if
+    /// the program is missing, Error{runtime} if it cannot be run.
+    explicit Baking(std::vector<std::string> arguments, std::filesystem::path output = {});
     Baking(const Baking&) = delete;
     Baking& operator=(const Baking&) = delete;
 
@@ -50,7 +51,7 @@ public:
     int exitCode() const;          ///< exit code of `sward`, or 4 after a signal
     ErrorKind errorKind() const;   ///< of that exit code
     std::string complaint() const; ///< its last message, or how it ended
-    std::filesystem::path field() const { return folder_.path() / "field.sward"; }
+    const std::filesystem::path& field() const { return field_; }
     std::filesystem::path report() const { return folder_.path() / "report.json"; }
 
 private:
@@ -58,6 +59,7 @@ private:
     void takeLine(std::string line);
 
     apps::TemporaryFolder folder_{"sward-view"};
+    std::filesystem::path field_;
     std::unique_ptr<ChildProcess> child_;
     std::string unfinished_;
     std::vector<std::string> lines_; ///< other than progress

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "render/layers/layer.h"
+#include "render/layers/frame_layers.h"
 
 #include <string>
 

@@ -2,6 +2,9 @@
 
 #include "core/error.h"
 #include "gpu/frame/picture.h"
+#include "gpu/memory/image_use.h"
+#include "gpu/recording/commands.h"
+#include "gpu/recording/frame_ring.h"
 #include "presentation/camera_presets.h"
 #include "render/layers/frame_layers.h"
 #include "shaders/shared/bezier.h"
@@ -321,6 +324,128 @@ TEST_F(LayersTest, HaveDepthsAndNormalsOfThePosedBlade)
     }
     EXPECT_GT(all, ids.size() / 4);
     EXPECT_LE(off, all / 200);
+}
+
+/// A semaphore that the CPU raises.
+class Gate {
+public:
+    explicit Gate(const gpu::DeviceContext& context)
+        : context_(context)
+    {
+        VkSemaphoreTypeCreateInfo type{};
+        type.sType = VK_STRUCTURE_TYPE_SEMAPHORE_TYPE_CREATE_INFO;
+        type.semaphoreType = VK_SEMAPHORE_TYPE_TIMELINE;
+        VkSemaphoreCreateInfo create{};
+        create.sType = VK_STRUCTURE_TYPE_SEMAPHORE_CREATE_INFO;
+        create.pNext = &type;
+        EXPECT_EQ(vkCreateSemaphore(context.device, &create, nullptr, &semaphore_), VK_SUCCESS);
+    }
+    Gate(const Gate&) = delete;
+    Gate& operator=(const Gate&) = delete;
+    ~Gate() { vkDestroySemaphore(context_.device, semaphore_, nullptr); }
+
+    VkSemaphoreSubmitInfo passed() const
+    {
+        VkSemaphoreSubmitInfo info{};
+        info.sType = VK_STRUCTURE_TYPE_SEMAPHORE_SUBMIT_INFO;
+        info.semaphore = semaphore_;
+        info.value = 1;
+        info.stageMask = VK_PIPELINE_STAGE_2_ALL_COMMANDS_BIT;
+        return info;
+    }
+    void open() const
+    {
+        VkSemaphoreSignalInfo info{};
+        info.sType = VK_STRUCTURE_TYPE_SEMAPHORE_SIGNAL_INFO;
+        info.semaphore = semaphore_;
+        info.value = 1;
+        EXPECT_EQ(vkSignalSemaphore(context_.device, &info), VK_SUCCESS);
+    }
+
+private:
+    const gpu::DeviceContext& context_;
+    VkSemaphore semaphore_ = VK_NULL_HANDLE;
+};
+
+TEST_F(LayersTest, OfAFrameAreReadWhileTheNextOneIsDrawn)
+{
+    constexpr LayerMask wanted = bitOf(Layer::depth) | bitOf(Layer::blade) | bitOf(Layer::normal);
+    constexpr std::uint32_t frames = 3;
+    FieldRenderer::Settings settings;
+    settings.samples = 1;
+    settings.geometry = Geometry::raster;
+    settings.framesInFlight = 2 * frames;
+    test::FieldScene scene(device(), test::makeField({.blades = 900, .extent = 2.0f, .seed = 5}),
+                           settings);
+    scaleWind(scene.settings.winds, 6.0f);
+    const gpu::Image target(context(), {.name = "target",
+                                        .format = VK_FORMAT_R8G8B8A8_SRGB,
+                                        .extent = {size.x, size.y},
+                                        .usage = VK_IMAGE_USAGE_COLOR_ATTACHMENT_BIT |
+                                                 VK_IMAGE_USAGE_TRANSFER_DST_BIT});
+    std::vector<gpu::Buffer> places;
+    for (std::uint32_t i = 0; i < frames; ++i)
+        places.emplace_back(context(),
+                            gpu::BufferSettings{.name = "place",
+                                                .bytes = layerBytes(wanted, size),
+                                                .usage = VK_BUFFER_USAGE_TRANSFER_DST_BIT,
+                                                .memory = gpu::MemoryUse::readback});
+    const auto view = field::viewOf(scene.field);
+    const auto recordMove = [&](VkCommandBuffer commands, std::uint32_t i, std::uint32_t slot) {
+        scene.renderer.forgetMotion();
+        scene.renderer.recordUpdateOnly(commands, scene.settings, 2.0 * i, slot);
+    };
+    const auto recordFrame = [&](VkCommandBuffer commands, std::uint32_t i, std::uint32_t slot) {
+        const Camera camera{.eye = {0.3 * i, 0.6, 1.4}, .target = {0.0, 0.1, 0.0}, .fovY = 45.0f};
+        gpu::transition(commands, target, gpu::ImageUse::undefined, gpu::ImageUse::colorTarget);
+        scene.renderer.record(commands,
+                              {.image = target.get(),
+                               .view = target.view(),
+                               .size = size,
+                               .layers = wanted,
+                               .layerBuffer = places[i].get()},
+                              camera, scene.settings, 2.0 * i + step, slot);
+    };
+    const auto words = [&](std::uint32_t i) {
+        const auto mapped = places[i].mappedAs<const std::uint32_t>();
+        return std::vector<std::uint32_t>(mapped.begin(), mapped.end());
+    };
+    // One after another …
+    std::vector<std::vector<std::uint32_t>> expected;
+    for (std::uint32_t i = 0; i < frames; ++i) {
+        gpu::submitAndWait(context(), [&](VkCommandBuffer c) { recordMove(c, i, 0); });
+        gpu::submitAndWait(context(), [&](VkCommandBuffer c) { recordFrame(c, i, 0); });
+        expected.push_back(words(i));
+        std::ranges::fill(places[i].mapped(), std::byte(0));
+    }
+    // … and all recorded and submitted before the first may begin.
+    const Gate gate(context());
+    gpu::FrameRing ring(context(), 2 * frames);
+    std::vector<gpu::FrameRing::Frame> submitted;
+    for (std::uint32_t i = 0; i < frames; ++i) {
+        const gpu::FrameRing::Frame moved = ring.begin();
+        recordMove(moved.commands, i, moved.slot);
+        const VkSemaphoreSubmitInfo passed = gate.passed();
+        ring.submit(moved, i == 0 ? std::span(&passed, 1) : std::span<VkSemaphoreSubmitInfo>());
+        submitted.push_back(ring.begin());
+        recordFrame(submitted.back().commands, i, submitted.back().slot);
+        const LayerWords known = scene.renderer.layerWords(view, submitted.back().slot);
+        EXPECT_EQ(known.wanted, wanted);
+        EXPECT_TRUE(known.words.empty());
+        ring.submit(submitted.back());
+    }
+    EXPECT_TRUE(std::ranges::all_of(words(0), [](std::uint32_t word) { return word == 0; }));
+    gate.open();
+    for (std::uint32_t i = 0; i < frames; ++i) {
+        ring.wait(submitted[i]);
+        EXPECT_EQ(words(i), expected[i]) << i;
+    }
+    const FrameLayers layers =
+        layersOf({.size = size, .wanted = wanted, .words = expected[0]}, view);
+    EXPECT_GT(std::ranges::count_if(layers.as<std::uint64_t>(Layer::blade),
+                                    [](std::uint64_t id) { return id != 0; }),
+              size.x * size.y / 20);
+    ring.finish();
 }
 
 TEST_F(LayersTest, NeedComputeShadersAndWhatTheyAreOf)

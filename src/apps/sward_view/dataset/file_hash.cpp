@@ -1,0 +1,29 @@
+#include "apps/sward_view/dataset/file_hash.h"
+
+#include "core/files/mapped_file.h"
+#include "core/random.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cstddef>
+#include <cstdint>
+#include <cstring>
+#include <span>
+
+namespace sward::view {
+
+std::string hashOfFile(const std::filesystem::path& path)
+{
+    const MappedFile file(path);
+    const std::span<const std::byte> bytes = file.bytes();
+    std::uint64_t hash = bytes.size();
+    for (std::size_t at = 0; at < bytes.size(); at += sizeof hash) {
+        std::uint64_t word = 0;
+        std::memcpy(&word, bytes.data() + at, std::min(sizeof word, bytes.size() - at));
+        hash = mixBits(hash ^ word) + 0x9e3779b97f4a7c15ULL;
+    }
+    return fmt::format("{:016x}", hash);
+}
+
+} // namespace sward::view
