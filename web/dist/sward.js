@@ -2573,12 +2573,12 @@ function parseCoverFile(bytes, name) {
   };
 }
 var largestLeafArea = 1e3;
-function sownCover(cover, bladesPerStored) {
+function sownCover(cover, areaPerStored) {
   const corners = cover.corners.map((corner) => {
     const bits = corner & ~toneBits;
     const area = fromHalf(bits & 65535);
     if (!(area > 0)) return corner;
-    const leaves = Math.min(area * bladesPerStored, largestLeafArea);
+    const leaves = Math.min(area * areaPerStored, largestLeafArea);
     const heights = fromHalf(bits >>> 16) / area * leaves;
     const halves = (toHalf(leaves) | toHalf(heights) << 16) + 131072;
     return (halves & ~toneBits | corner & toneBits) >>> 0;
@@ -3720,7 +3720,7 @@ var Renderer = class {
     if (!gl) fail("unsupported", "this browser has no WebGL 2, or its graphics driver is blocked");
     this.gl = gl;
     this.tree = new PatchTree(field, sowing);
-    this.scene = sceneOf(field, sowing ? sownCover(cover, sowing.bladesPerStored) : cover, sowing?.patches);
+    this.scene = sceneOf(field, sowing ? sownCover(cover, sowing.areaPerStored) : cover, sowing?.patches);
     this.restore();
   }
   canvas;
@@ -4556,6 +4556,7 @@ var Sowing = class _Sowing {
     const seeds = field.seeds;
     const { meadow } = seeds;
     this.bladesPerStored = 1 / Math.min(meadow.stored, 1);
+    this.areaPerStored = this.bladesPerStored / meadow.storedWidening;
     this.pageCount = Math.max(Math.ceil((options.blades ?? usualBlades) / sownPageBlades), 16);
     this.storedPatches = field.patches.count;
     this.firstPatch = Math.ceil(this.storedPatches / 256) * 256;
@@ -4583,8 +4584,9 @@ var Sowing = class _Sowing {
   firstBlade;
   /** Places for pages. */
   pageCount;
-  /** Blades of the whole meadow that a stored one stands for. */
+  /** Blades of the whole meadow that a stored one stands for, and the leaf area of these over that of the stored one. */
   bladesPerStored;
+  areaPerStored;
   /** Pages whose rows have changed since the last update(). */
   changed = [];
   units = /* @__PURE__ */ new Map();

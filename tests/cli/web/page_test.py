@@ -17,7 +17,7 @@ import numpy
 sys.path.insert(0, str(Path(__file__).resolve().parents[1]))
 sys.path.insert(0, str(Path(__file__).resolve().parents[1] / "view"))
 
-from support import CliTest, IO, PROGRAM, ROOT, USAGE
+from support import CliTest, INPUT, IO, PROGRAM, ROOT, USAGE
 
 from browser import chromium, look
 from needs import needs
@@ -50,9 +50,42 @@ class Page(CliTest):
         text = (page / "index.html").read_text(encoding="utf-8")
         self.assertIn("<title>a&lt;b&gt;&amp;</title>", text)
         self.assertNotIn("{{", text)
-        # Nothing comes from elsewhere.
+        # Nothing comes from elsewhere, and without a poster there is no picture.
         self.assertEqual(re.findall(r'(?:src|href)="(?!data:)', text), [])
         self.assertEqual(re.findall(r"https?://(?!localhost)\S+", text), [])
+
+    def test_a_field_with_seeds_has_its_sower(self):
+        seeds = self.bake("hills", "--density", "20", "--budget", "500", "--seeds", "always", to="seeds.sward")
+        said = self.sward("export", seeds, "-o", "page/").stderr
+        self.assertNotIn("warning", said)
+        page = self.folder / "page"
+        self.assertEqual({path.name for path in page.iterdir()}, FILES | {"sow.wasm"})
+        self.assertEqual((page / "sow.wasm").read_bytes(), (ROOT / "web/dist/sow.wasm").read_bytes())
+        # A grown part has no seeds.
+        self.sward("export", seeds, "-o", "part/", "--share", "0.5")
+        self.assertEqual({path.name for path in (self.folder / "part").iterdir()}, FILES)
+
+    def test_a_poster_becomes_a_small_jpeg(self):
+        from PIL import Image
+        rng = numpy.random.default_rng(1)
+        noise = rng.integers(0, 256, (900, 1600, 3), dtype=numpy.uint8)  # the worst that a picture can be
+        Image.fromarray(noise).save(self.folder / "poster.png")
+        self.sward("export", self.field, "-o", "page/", "--poster", "poster.png")
+        jpeg = self.folder / "page/poster.jpg"
+        self.assertLessEqual(jpeg.stat().st_size, 150_000)
+        with Image.open(jpeg) as picture:
+            self.assertEqual(picture.format, "JPEG")
+            self.assertLessEqual(max(picture.size), 1280)
+            self.assertAlmostEqual(picture.size[0] / picture.size[1], 16 / 9, delta=0.02)
+        text = (self.folder / "page/index.html").read_text(encoding="utf-8")
+        self.assertIn('src="poster.jpg" alt="A picture of the field a&lt;b&gt;&amp;"', text)
+
+    def test_what_is_no_poster_is_refused(self):
+        (self.folder / "text.png").write_text("no picture", encoding="ascii")
+        self.refused("export", self.field, "-o", "page/", "--poster", "text.png", code=INPUT, names=["text.png"])
+        self.refused("export", self.field, "-o", "page/", "--poster", "none.png", code=IO, names=["none.png"])
+        self.refused("export", self.field, "-o", "x.csv", "--poster", "text.png", code=USAGE, names=["--poster", "NAME/"])
+        self.assertFalse((self.folder / "page").exists())
 
     def test_a_full_folder_is_kept_without_force(self):
         self.sward("export", self.field, "-o", "page/")
@@ -143,6 +176,24 @@ class LongBrowser(CliTest):
         self.sward("export", self.field, "-o", "page/", "--force")
         self.assert_picture({"eye": [14, 8, 20], "target": [0, 0, 0], "up": [0, 1, 0], "fov_y_deg": 46})
 
+    def test_a_field_with_seeds_is_sown_as_in_the_viewer(self):
+        """All that the camera wants, within a stated difference; and by few stored blades."""
+        from flip import flip, to_linear
+        from png import picture_of
+
+        field = self.bake("hills", "--density", "25", "--budget", "1500", "--seeds", "always", to="seeds.sward")
+        self.sward("export", field, "-o", "page/", "--force")
+        width, height = 240, 150
+        self.write_json("camera.json", CAMERAS[0])
+        found = self.check("sown", camera=CAMERAS[0], size=[width, height])
+        self.assertEqual(found["thinning"], 1)
+        self.assertGreater(found["sown"], 20_000)
+        (self.folder / "web.png").write_bytes(base64.b64decode(found["picture"]))
+        subprocess.run([str(VIEWER), "render", str(field), "-o", "view.png", "--size", f"{width}x{height}", "--camera",
+                        "camera.json", "--force"], cwd=self.folder, check=True, capture_output=True)
+        ours, theirs = (picture_of(self.folder / name) / 255.0 for name in ("web.png", "view.png"))
+        self.assertLess(float(flip(to_linear(theirs), to_linear(ours)).mean()), LARGEST_FLIP)
+
     def assert_curves(self, curves):
         """Every blade that the viewer draws is drawn, with its curve; others are those that the ground hides."""
         with open(self.folder / "blades.csv", encoding="ascii", newline="") as file:
@@ -160,7 +211,7 @@ class LongBrowser(CliTest):
 
     def test_a_page_is_used_by_mouse_touch_and_keys(self):
         found = self.check("use")
-        for act in ("drag", "pinch", "wheel", "arrow", "walk", "restored", "complete"):
+        for act in ("posterGoes", "drag", "pinch", "wheel", "arrow", "walk", "restored", "complete"):
             self.assertTrue(found[act], act)
         self.assertEqual(found["resized"], [320, 300])
         self.assertEqual(found["drawnAtRest"], 0)

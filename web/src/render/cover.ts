@@ -54,15 +54,15 @@ export function parseCoverFile(bytes: ArrayBuffer, name: string): Cover {
 const largestLeafArea = 1000;
 
 /**
- * The cover of the whole meadow from that of the stored blades of a field with seeds, of which each stands for
- * `bladesPerStored`: SownView::leafArea() of src/render/sowing.
+ * The cover of the whole meadow from that of the stored blades of a field with seeds: it has `areaPerStored` as much
+ * leaf area. SownView::leafArea() of src/render/sowing.
  */
-export function sownCover(cover: Cover, bladesPerStored: number): Cover {
+export function sownCover(cover: Cover, areaPerStored: number): Cover {
   const corners = cover.corners.map((corner) => {
     const bits = corner & ~toneBits;
     const area = fromHalf(bits & 0xffff);
     if (!(area > 0)) return corner;
-    const leaves = Math.min(area * bladesPerStored, largestLeafArea);
+    const leaves = Math.min(area * areaPerStored, largestLeafArea);
     const heights = (fromHalf(bits >>> 16) / area) * leaves;
     // packGrass() rounds by half of what the tone takes.
     const halves = (toHalf(leaves) | (toHalf(heights) << 16)) + 0x20000;

@@ -71,7 +71,7 @@ export class Renderer {
     if (!gl) fail("unsupported", "this browser has no WebGL 2, or its graphics driver is blocked");
     this.gl = gl;
     this.tree = new PatchTree(field, sowing);
-    this.scene = sceneOf(field, sowing ? sownCover(cover, sowing.bladesPerStored) : cover, sowing?.patches);
+    this.scene = sceneOf(field, sowing ? sownCover(cover, sowing.areaPerStored) : cover, sowing?.patches);
     this.restore();
   }
 

@@ -62,8 +62,9 @@ export class Sowing {
   readonly firstBlade: number;
   /** Places for pages. */
   readonly pageCount: number;
-  /** Blades of the whole meadow that a stored one stands for. */
+  /** Blades of the whole meadow that a stored one stands for, and the leaf area of these over that of the stored one. */
   readonly bladesPerStored: number;
+  readonly areaPerStored: number;
   /** Pages whose rows have changed since the last update(). */
   changed: SownRow[] = [];
   private readonly units = new Map<string, UnitPlace>();
@@ -86,6 +87,7 @@ export class Sowing {
     const seeds = field.seeds!;
     const { meadow } = seeds;
     this.bladesPerStored = 1 / Math.min(meadow.stored, 1);
+    this.areaPerStored = this.bladesPerStored / meadow.storedWidening;
     this.pageCount = Math.max(Math.ceil((options.blades ?? usualBlades) / sownPageBlades), 16);
     this.storedPatches = field.patches.count;
     // Pages of patches begin at whole rows of their texture.
