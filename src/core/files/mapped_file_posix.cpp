@@ -18,9 +18,9 @@
 namespace sward {
 namespace {
 
-struct Descriptor {
+struct OpenedFile {
     int fd = -1;
-    ~Descriptor()
+    ~OpenedFile()
     {
         if (fd >= 0)
             ::close(fd);
@@ -43,7 +43,7 @@ ReadFiles& readFiles()
 }
 
 // Opens a regular file and returns its size. Opening a pipe would wait for somebody who writes.
-std::size_t openRegular(const std::filesystem::path& path, Descriptor& file)
+std::size_t openRegular(const std::filesystem::path& path, OpenedFile& file)
 {
     file.fd = ::open(path.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK);
     if (file.fd < 0)
@@ -97,7 +97,7 @@ void forgetReadFiles()
 
 MappedFile::MappedFile(const std::filesystem::path& path)
 {
-    Descriptor file;
+    OpenedFile file;
     size_ = openRegular(path, file);
     if (size_ == 0)
         return;
@@ -151,7 +151,7 @@ void leaveOnDisk(std::span<const std::byte> bytes) noexcept
 
 std::vector<std::byte> readFile(const std::filesystem::path& path, std::size_t limit)
 {
-    Descriptor file;
+    OpenedFile file;
     const std::size_t size = openRegular(path, file);
     if (size > limit)
         fail(ErrorKind::input, "{}: {} bytes, more than the {} that are read", path.string(), size,
