@@ -15,7 +15,7 @@ layout(set = 0, binding = 1, rgba16f) uniform image2D lit;
 #include "shaders/preview/base_colors.glsl"
 #include "shaders/preview/collider_light.glsl"
 #include "shaders/preview/ground_light.glsl"
-#include "shaders/raster/half_rounded.glsl"
+#include "shaders/resolve/half_rounded.glsl"
 #include "shaders/preview/opaque_triangle.glsl"
 
 const uint gatherTile = lightTile;

@@ -14,7 +14,7 @@ layout(set = 2, binding = 1, STORED_FORMAT) uniform writeonly image2D picture;
 #include "shaders/raster/visibility.glsl"
 
 #include "shaders/resolve/resolve.glsl"
-#include "shaders/raster/half_rounded.glsl"
+#include "shaders/resolve/half_rounded.glsl"
 #include "shaders/resolve/stored.glsl"
 
 const uint gatherTile = rasterTile;

@@ -3,7 +3,7 @@
 #define SWARD_RESOLVE_STORED_GLSL
 
 #include "shaders/common/output_mode.glsl"
-#include "shaders/raster/half_rounded.glsl"
+#include "shaders/resolve/half_rounded.glsl"
 
 /// sRGB-encodes a linear colour (IEC 61966-2-1).
 vec3 encodeSrgb(vec3 c)

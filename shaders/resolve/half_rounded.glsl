@@ -1,6 +1,6 @@
 // Rounding to the values of a 16-bit-per-channel picture.
-#ifndef SWARD_RASTER_HALF_ROUNDED_GLSL
-#define SWARD_RASTER_HALF_ROUNDED_GLSL
+#ifndef SWARD_RESOLVE_HALF_ROUNDED_GLSL
+#define SWARD_RESOLVE_HALF_ROUNDED_GLSL
 
 /// The nearest 16-bit value, so that all devices round equally: some truncate, which darkens one pixel in fifteen by a
 /// step. The picture's values are not negative.
