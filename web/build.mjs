@@ -5,10 +5,12 @@ import { dirname, join } from "node:path";
 import { fileURLToPath } from "node:url";
 
 import { generate } from "./generate.mjs";
+import { generateWgsl } from "./generate_wgsl.mjs";
 
 const here = dirname(fileURLToPath(import.meta.url));
 
 generate();
+generateWgsl();
 await build({
   absWorkingDir: here,
   entryPoints: ["src/index.ts"],

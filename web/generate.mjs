@@ -213,6 +213,7 @@ const exported = [
   "lodFullShare", "maxWindSources", "windNoise", "windWave", "windsAlike", "latticeX", "latticeY", "latticeZ",
   "fineNoiseScale", "fineNoiseStart", "unsettledTurn", "maxHeightCompensation", "outlineMost", "heightSteps",
   "bladeShadowTexels", "bladeShadowSegments", "cullPatch", "cullOrientation", "cullFrustum", "cullDistance", "leaveThinned", "toneBits",
+  "shapeCount",
 ];
 
 /** Writes the two files into a folder, unless that is null; returns the texts of all stages by their names. */

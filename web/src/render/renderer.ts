@@ -50,6 +50,7 @@ const usualMax = 400_000;
 
 /** Draws a field by WebGL 2. The shaders are the viewer's: see web/generate.mjs. */
 export class Renderer {
+  readonly kind = "webgl";
   readonly scene: Scene;
   private readonly gl: Gl;
   private readonly tree: PatchTree;
@@ -203,7 +204,7 @@ export class Renderer {
 }
 
 /** Distance to which blades cast shadows of their own shape [m], as in the viewer. */
-const shadowDistance = 8;
+export const shadowDistance = 8;
 
 /** A part of the ground with one material. */
 interface GroundPart {

@@ -73,17 +73,14 @@ export class PatchTree {
     const patches = (this.patches = sowing?.patches ?? field.patches);
     const stored = field.patches.count;
     this.ribbons = Math.max(0, ...field.species.map((one) => ribbonsOf(one.organs)));
-    this.widest = new Float32Array(stored);
+    this.widest = subtreeWidths(patches, stored);
     this.rankBelow = new Float32Array(stored).fill(1);
     this.queue = new Uint32Array(stored);
     const f = patches.floats;
     for (let p = stored - 1; p >= 0; --p) {
       const at = p * patchWords;
-      const own = patches.bladeCount(p) > 0 ? f[at + patchWord.widthLow] + 63 * f[at + patchWord.widthStep] : 0;
-      this.widest[p] = Math.max(this.widest[p], own);
       if (p === 0) continue;
       const parent = patches.parent(p);
-      this.widest[parent] = Math.max(this.widest[parent], this.widest[p]);
       const rank = patches.bladeCount(p) > 0 ? f[at + patchWord.rankLow] : 1;
       this.rankBelow[parent] = Math.min(this.rankBelow[parent], rank, this.rankBelow[p]);
     }
@@ -214,6 +211,19 @@ export class PatchTree {
     wanted.sort((a, b) => a.distance - b.distance);
     return { words, begins, blades, missing: [...new Set(wanted.map((one) => one.page))] };
   }
+}
+
+/** Largest full width of a blade in each of the first subtrees [m]: Subtree::widest of shaders/shared/patch_tree.h. */
+export function subtreeWidths(patches: Patches, count = patches.count): Float32Array {
+  const f = patches.floats;
+  const widest = new Float32Array(count);
+  for (let p = count - 1; p >= 0; --p) {
+    const at = p * patchWords;
+    const own = patches.bladeCount(p) > 0 ? f[at + patchWord.widthLow] + 63 * f[at + patchWord.widthStep] : 0;
+    widest[p] = Math.max(widest[p], own);
+    if (p > 0) widest[patches.parent(p)] = Math.max(widest[patches.parent(p)], widest[p]);
+  }
+  return widest;
 }
 
 const pageBlades = 1024;
