@@ -399,9 +399,9 @@ function unpackBlades(packed, patches, first, count) {
     const shape = packed[bladeWords * blade + 2];
     const look = packed[bladeWords * blade + 3];
     const step = f[at + patchWord.rootStep];
-    const places = [rootXY & 65535, rootXY >>> 16, rootZUp & 65535];
+    const places2 = [rootXY & 65535, rootXY >>> 16, rootZUp & 65535];
     for (let axis = 0; axis < 3; ++axis)
-      blades.root[3 * i + axis] = f[at + patchWord.rootLow + axis] + single(step * places[axis]);
+      blades.root[3 * i + axis] = f[at + patchWord.rootLow + axis] + single(step * places2[axis]);
     unfoldUp(rootZUp >>> 16, blades.up, 3 * i);
     blades.facing[i] = (shape & 255) * single(twoPi / 256);
     blades.height[i] = f[at + patchWord.heightLow] + single(f[at + patchWord.heightStep] * (shape >>> 8 & 255));
@@ -1268,17 +1268,17 @@ function* longHash(bytes) {
 }
 function xxh3(bytes) {
   if (bytes.length <= 240) return shortHash(bytes);
-  const steps = longHash(bytes);
+  const steps2 = longHash(bytes);
   for (; ; ) {
-    const step = steps.next();
+    const step = steps2.next();
     if (step.done) return step.value;
   }
 }
 async function xxh3InSteps(bytes) {
   if (bytes.length <= 240) return shortHash(bytes);
-  const steps = longHash(bytes);
+  const steps2 = longHash(bytes);
   for (; ; ) {
-    const step = steps.next();
+    const step = steps2.next();
     if (step.done) return step.value;
     await new Promise((resolve) => setTimeout(resolve));
   }
@@ -2066,6 +2066,7 @@ var cullFrustum = 4;
 var cullDistance = 8;
 var leaveThinned = 32;
 var toneBits = 2147713024;
+var shapeCount = 7;
 var frameBytes = 2640;
 var frameLayout = { "viewProjection": 0, "rays[0]": 64, "rays[1]": 80, "rays[2]": 96, "depthOfEye": 112, "view.planes[0]": 128, "view.planes[1]": 144, "view.planes[2]": 160, "view.planes[3]": 176, "view.planes[4]": 192, "view.planes[5]": 208, "view.eye": 224, "view.drawDistance": 236, "view.pixelsPerUnit": 240, "view.lodThreshold": 244, "view.lodWidth": 248, "view.minWidth": 252, "view.maxLeafArea": 256, "view.maxEdgeOn": 260, "view.samples": 264, "view.buckets": 268, "view.bucketDistance": 272, "view.cullMask": 276, "view.areaFactor": 280, "view.sparseFrom": 284, "view.sparseLeast": 288, "environment.gravity.direction": 304, "environment.gravity.strength": 316, "environment.gravity.attractor": 320, "environment.gravity.blend": 332, "environment.gravity.forward": 336, "environment.recovery": 352, "environment.colliderCount": 356, "environment.wind.counts": 368, "environment.wind.eddySize": 372, "environment.wind.eddySpeed": 376, "environment.wind.sum": 380, "environment.wind.eddyPhase": 384, "environment.wind.lattice.origin": 400, "environment.wind.lattice.x": 416, "environment.wind.lattice.y": 432, "environment.wind.lattice.z": 448, "environment.wind.sources[0].direction": 464, "environment.wind.sources[0].strength": 476, "environment.wind.sources[0].centre": 480, "environment.wind.sources[0].size": 492, "environment.wind.sources[0].speed": 496, "environment.wind.sources[0].rate": 500, "environment.wind.sources[0].turn": 504, "environment.wind.sources[0].alignment": 508, "environment.wind.sources[0].lift": 512, "environment.wind.sources[0].kind": 516, "environment.wind.sources[0].side": 528, "environment.wind.sources[0].perSize": 540, "environment.wind.sources[1].direction": 544, "environment.wind.sources[1].strength": 556, "environment.wind.sources[1].centre": 560, "environment.wind.sources[1].size": 572, "environment.wind.sources[1].speed": 576, "environment.wind.sources[1].rate": 580, "environment.wind.sources[1].turn": 584, "environment.wind.sources[1].alignment": 588, "environment.wind.sources[1].lift": 592, "environment.wind.sources[1].kind": 596, "environment.wind.sources[1].side": 608, "environment.wind.sources[1].perSize": 620, "environment.wind.sources[2].direction": 624, "environment.wind.sources[2].strength": 636, "environment.wind.sources[2].centre": 640, "environment.wind.sources[2].size": 652, "environment.wind.sources[2].speed": 656, "environment.wind.sources[2].rate": 660, "environment.wind.sources[2].turn": 664, "environment.wind.sources[2].alignment": 668, "environment.wind.sources[2].lift": 672, "environment.wind.sources[2].kind": 676, "environment.wind.sources[2].side": 688, "environment.wind.sources[2].perSize": 700, "environment.wind.sources[3].direction": 704, "environment.wind.sources[3].strength": 716, "environment.wind.sources[3].centre": 720, "environment.wind.sources[3].size": 732, "environment.wind.sources[3].speed": 736, "environment.wind.sources[3].rate": 740, "environment.wind.sources[3].turn": 744, "environment.wind.sources[3].alignment": 748, "environment.wind.sources[3].lift": 752, "environment.wind.sources[3].kind": 756, "environment.wind.sources[3].side": 768, "environment.wind.sources[3].perSize": 780, "environment.wind.sources[4].direction": 784, "environment.wind.sources[4].strength": 796, "environment.wind.sources[4].centre": 800, "environment.wind.sources[4].size": 812, "environment.wind.sources[4].speed": 816, "environment.wind.sources[4].rate": 820, "environment.wind.sources[4].turn": 824, "environment.wind.sources[4].alignment": 828, "environment.wind.sources[4].lift": 832, "environment.wind.sources[4].kind": 836, "environment.wind.sources[4].side": 848, "environment.wind.sources[4].perSize": 860, "environment.wind.sources[5].direction": 864, "environment.wind.sources[5].strength": 876, "environment.wind.sources[5].centre": 880, "environment.wind.sources[5].size": 892, "environment.wind.sources[5].speed": 896, "environment.wind.sources[5].rate": 900, "environment.wind.sources[5].turn": 904, "environment.wind.sources[5].alignment": 908, "environment.wind.sources[5].lift": 912, "environment.wind.sources[5].kind": 916, "environment.wind.sources[5].side": 928, "environment.wind.sources[5].perSize": 940, "environment.wind.sources[6].direction": 944, "environment.wind.sources[6].strength": 956, "environment.wind.sources[6].centre": 960, "environment.wind.sources[6].size": 972, "environment.wind.sources[6].speed": 976, "environment.wind.sources[6].rate": 980, "environment.wind.sources[6].turn": 984, "environment.wind.sources[6].alignment": 988, "environment.wind.sources[6].lift": 992, "environment.wind.sources[6].kind": 996, "environment.wind.sources[6].side": 1008, "environment.wind.sources[6].perSize": 1020, "environment.wind.sources[7].direction": 1024, "environment.wind.sources[7].strength": 1036, "environment.wind.sources[7].centre": 1040, "environment.wind.sources[7].size": 1052, "environment.wind.sources[7].speed": 1056, "environment.wind.sources[7].rate": 1060, "environment.wind.sources[7].turn": 1064, "environment.wind.sources[7].alignment": 1068, "environment.wind.sources[7].lift": 1072, "environment.wind.sources[7].kind": 1076, "environment.wind.sources[7].side": 1088, "environment.wind.sources[7].perSize": 1100, "environment.wind.phases[0].shift": 1104, "environment.wind.phases[0].cell": 1116, "environment.wind.phases[0].fineShift": 1120, "environment.wind.phases[0].fineCell": 1132, "environment.wind.phases[0].angle": 1136, "environment.wind.phases[0].turned": 1140, "environment.wind.phases[1].shift": 1152, "environment.wind.phases[1].cell": 1164, "environment.wind.phases[1].fineShift": 1168, "environment.wind.phases[1].fineCell": 1180, "environment.wind.phases[1].angle": 1184, "environment.wind.phases[1].turned": 1188, "environment.wind.phases[2].shift": 1200, "environment.wind.phases[2].cell": 1212, "environment.wind.phases[2].fineShift": 1216, "environment.wind.phases[2].fineCell": 1228, "environment.wind.phases[2].angle": 1232, "environment.wind.phases[2].turned": 1236, "environment.wind.phases[3].shift": 1248, "environment.wind.phases[3].cell": 1260, "environment.wind.phases[3].fineShift": 1264, "environment.wind.phases[3].fineCell": 1276, "environment.wind.phases[3].angle": 1280, "environment.wind.phases[3].turned": 1284, "environment.wind.phases[4].shift": 1296, "environment.wind.phases[4].cell": 1308, "environment.wind.phases[4].fineShift": 1312, "environment.wind.phases[4].fineCell": 1324, "environment.wind.phases[4].angle": 1328, "environment.wind.phases[4].turned": 1332, "environment.wind.phases[5].shift": 1344, "environment.wind.phases[5].cell": 1356, "environment.wind.phases[5].fineShift": 1360, "environment.wind.phases[5].fineCell": 1372, "environment.wind.phases[5].angle": 1376, "environment.wind.phases[5].turned": 1380, "environment.wind.phases[6].shift": 1392, "environment.wind.phases[6].cell": 1404, "environment.wind.phases[6].fineShift": 1408, "environment.wind.phases[6].fineCell": 1420, "environment.wind.phases[6].angle": 1424, "environment.wind.phases[6].turned": 1428, "environment.wind.phases[7].shift": 1440, "environment.wind.phases[7].cell": 1452, "environment.wind.phases[7].fineShift": 1456, "environment.wind.phases[7].fineCell": 1468, "environment.wind.phases[7].angle": 1472, "environment.wind.phases[7].turned": 1476, "patchCount": 1488, "bladeCount": 1492, "visibleCapacity": 1496, "maxTessellation": 1500, "sunDirection": 1504, "exposure": 1516, "sunColor": 1520, "debugMode": 1532, "skyColor": 1536, "fogDensity": 1548, "groundColor": 1552, "skyUp": 1568, "fixedTessellation": 1580, "clouds": 1584, "levelSteps.distance": 1600, "levelSteps.segments": 1616, "levelSteps.count": 1632, "updateRate.everyFrame": 1648, "updateRate.everyThird": 1652, "updateRate.longest": 1656, "updateRate.frame": 1660, "cover.low": 1664, "cover.cellsPerMetre": 1676, "cover.countX": 1680, "cover.countY": 1684, "cover.countZ": 1688, "cover.farthest": 1692, "cover.undergrowth": 1696, "cover.thatch": 1708, "cover.sward": 1712, "cover.thinned": 1724, "cover.structure": 1728, "cover.stepsPerMetre": 1732, "cover.leaves[0]": 1744, "cover.leaves[1]": 1760, "cover.leaves[2]": 1776, "cover.leaves[3]": 1792, "cover.leaves[4]": 1808, "cover.leaves[5]": 1824, "cover.leaves[6]": 1840, "cover.leaves[7]": 1856, "shadow.across": 1872, "shadow.down": 1888, "shadow.depth": 1904, "shadow.size": 1920, "shadow.texel": 1924, "shadow.epsilon": 1928, "shadow.reserved": 1932, "bladeShadow.across": 1936, "bladeShadow.down": 1952, "bladeShadow.depth": 1968, "bladeShadow.size": 1984, "bladeShadow.nearer": 1988, "fogFalloff": 2e3, "lowSun": 2004, "tick": 2008, "floorPlane.middle": 2016, "floorPlane.reach": 2028, "floorPlane.along": 2032, "floorPlane.height": 2044, "floorPlane.halfSides": 2048, "floorPlane.cornerRadius": 2056, "reserved[0]": 2064, "reserved[1]": 2080, "reserved[2]": 2096, "reserved[3]": 2112, "reserved[4]": 2128, "reserved[5]": 2144, "reserved[6]": 2160, "reserved[7]": 2176, "reserved[8]": 2192, "reserved[9]": 2208, "reserved[10]": 2224, "reserved[11]": 2240, "reserved[12]": 2256, "reserved[13]": 2272, "reserved[14]": 2288, "reserved[15]": 2304, "reserved[16]": 2320, "reserved[17]": 2336, "reserved[18]": 2352, "reserved[19]": 2368, "reserved[20]": 2384, "reserved[21]": 2400, "reserved[22]": 2416, "reserved[23]": 2432, "reserved[24]": 2448, "reserved[25]": 2464, "reserved[26]": 2480, "reserved[27]": 2496, "reserved[28]": 2512, "reserved[29]": 2528, "reserved[30]": 2544, "reserved[31]": 2560, "reserved[32]": 2576, "reserved[33]": 2592, "reserved[34]": 2608, "reserved[35]": 2624 };
 var looksBytes = 4608;
@@ -3122,7 +3123,7 @@ var Picture = class {
     this.width = width;
     this.height = height;
     this.isFine = isFine;
-    const samples = isFine ? 0 : samplePlaces.length;
+    const samples2 = isFine ? 0 : samplePlaces.length;
     this.drawn = gl.createFramebuffer();
     gl.bindFramebuffer(gl.FRAMEBUFFER, this.drawn);
     this.buffers = [
@@ -3131,7 +3132,7 @@ var Picture = class {
     ].map(([format, place]) => {
       const buffer2 = gl.createRenderbuffer();
       gl.bindRenderbuffer(gl.RENDERBUFFER, buffer2);
-      gl.renderbufferStorageMultisample(gl.RENDERBUFFER, samples, format, width, height);
+      gl.renderbufferStorageMultisample(gl.RENDERBUFFER, samples2, format, width, height);
       gl.framebufferRenderbuffer(gl.FRAMEBUFFER, place, gl.RENDERBUFFER, buffer2);
       return buffer2;
     });
@@ -3284,7 +3285,7 @@ function placesOf(ground, cover) {
   const triangles = ranges.reduce((sum, range) => sum + range.indexCount / 3, 0);
   const stride = Math.max(Math.floor(triangles / groundSamples), 1);
   const each2 = clamp(Math.floor(groundSamples / Math.max(triangles, 1)), 1, samplesOfTriangle);
-  const places = [];
+  const places2 = [];
   for (const range of ranges) {
     const material = ground.materials[range.material];
     for (let i = 0; i < range.indexCount / 3; i += stride) {
@@ -3292,7 +3293,7 @@ function placesOf(ground, cover) {
       const [a, b, c] = corners.map(position);
       const area = 0.5 * stride * size(cross(sub(b, a), sub(c, a))) / each2;
       for (let k = 0; k < each2; ++k) {
-        const n = places.length;
+        const n = places2.length;
         let p = (0.5 + n * 0.7548776662466927) % 1;
         let q = (0.5 + n * 0.569840290998053) % 1;
         if (p + q > 1) [p, q] = [1 - p, 1 - q];
@@ -3308,11 +3309,11 @@ function placesOf(ground, cover) {
           for (let j = 0; j < 3; ++j) albedo[j] *= linear(image.pixels[4 * (y * image.width + x) + j] / 255);
         }
         const place = mixed([a, b, c]);
-        places.push({ color: albedo, area, leafArea: cover.thinned * leafAreaAt(cover, place) });
+        places2.push({ color: albedo, area, leafArea: cover.thinned * leafAreaAt(cover, place) });
       }
     }
   }
-  return places;
+  return places2;
 }
 function chosenExposure(ground, cover, hasBlades) {
   const cosine = usualLight.sunDirection[1];
@@ -3471,17 +3472,14 @@ var PatchTree = class {
     const patches = this.patches = sowing?.patches ?? field.patches;
     const stored = field.patches.count;
     this.ribbons = Math.max(0, ...field.species.map((one) => ribbonsOf(one.organs)));
-    this.widest = new Float32Array(stored);
+    this.widest = subtreeWidths(patches, stored);
     this.rankBelow = new Float32Array(stored).fill(1);
     this.queue = new Uint32Array(stored);
     const f = patches.floats;
     for (let p = stored - 1; p >= 0; --p) {
       const at = p * patchWords;
-      const own = patches.bladeCount(p) > 0 ? f[at + patchWord.widthLow] + 63 * f[at + patchWord.widthStep] : 0;
-      this.widest[p] = Math.max(this.widest[p], own);
       if (p === 0) continue;
       const parent = patches.parent(p);
-      this.widest[parent] = Math.max(this.widest[parent], this.widest[p]);
       const rank = patches.bladeCount(p) > 0 ? f[at + patchWord.rankLow] : 1;
       this.rankBelow[parent] = Math.min(this.rankBelow[parent], rank, this.rankBelow[p]);
     }
@@ -3609,6 +3607,17 @@ var PatchTree = class {
     return { words, begins, blades, missing: [...new Set(wanted.map((one) => one.page))] };
   }
 };
+function subtreeWidths(patches, count = patches.count) {
+  const f = patches.floats;
+  const widest = new Float32Array(count);
+  for (let p = count - 1; p >= 0; --p) {
+    const at = p * patchWords;
+    const own = patches.bladeCount(p) > 0 ? f[at + patchWord.widthLow] + 63 * f[at + patchWord.widthStep] : 0;
+    widest[p] = Math.max(widest[p], own);
+    if (p > 0) widest[patches.parent(p)] = Math.max(widest[patches.parent(p)], widest[p]);
+  }
+  return widest;
+}
 var pageBlades2 = 1024;
 function* pagesOf2(first, count) {
   for (let p = Math.floor(first / pageBlades2); p <= Math.floor((first + count - 1) / pageBlades2); ++p) yield p;
@@ -3726,6 +3735,7 @@ var Renderer = class {
   canvas;
   field;
   sowing;
+  kind = "webgl";
   scene;
   gl;
   tree;
@@ -4220,6 +4230,1452 @@ var Parts = class {
     gl.disable(gl.CULL_FACE);
   }
 };
+
+// src/render/webgpu/device.ts
+var atomic64 = "atomic-vec2u-min-max";
+async function openDevice({
+  gpu = globalThis.navigator?.gpu,
+  acceptsSoftware = false,
+  only32 = false
+} = {}) {
+  const adapter = await gpu?.requestAdapter({ powerPreference: "high-performance" }).catch(() => null);
+  if (!adapter || adapter.info?.isFallbackAdapter && !acceptsSoftware) return void 0;
+  const { maxBufferSize, maxStorageBufferBindingSize } = adapter.limits;
+  const features = [...only32 ? [] : [atomic64], "timestamp-query"].filter((one) => adapter.features.has(one));
+  return adapter.requestDevice({ requiredFeatures: features, requiredLimits: { maxBufferSize, maxStorageBufferBindingSize } }).catch(() => void 0);
+}
+var hasAtomic64 = (device) => device.features.has(atomic64);
+function overridesOf(field) {
+  const looks = field.species.flatMap((one) => [one, ...one.organs]);
+  const shapes = new Set(looks.map((one) => one.shape));
+  return {
+    mayFold: looks.some((one) => one.fold > 0) ? 1 : 0,
+    mayHaveOrgans: field.species.some((one) => one.organs.length > 0) ? 1 : 0,
+    onlyShape: shapes.size === 1 ? looks[0].shape : shapeCount
+  };
+}
+
+// src/generated/wgsl.ts
+var pieces2 = [
+  "const octahedralMaxError : f32 = 0.0112;",
+  "struct Patch {\n boundsLow : vec3f,\n firstBlade : u32,\n boundsHigh : vec3f,\n bladeCount : u32,\n rootLow : vec3f,\n rootStep : f32,\n coneAxis : vec3f,\n coneCosine : f32,\n heightLow : f32,\n heightStep : f32,\n widthLow : f32,\n widthStep : f32,\n parent : u32,\n firstChild : u32,\n childCount : u32,\n level : u32,\n rankLow : f32,\n rankHigh : f32,\n}",
+  "struct BladeShadow {\n @align(16) across : vec4f,\n down : vec4f,\n depth : vec4f,\n size : u32,\n nearer : f32,\n}",
+  "struct Cover {\n @align(16) low : vec3f,\n cellsPerMetre : f32,\n countX : u32,\n countY : u32,\n countZ : u32,\n farthest : f32,\n undergrowth : vec3f,\n thatch : f32,\n sward : vec3f,\n thinned : f32,\n structure : f32,\n stepsPerMetre : f32,\n leaves : array<vec4u, 8>,\n}",
+  "const leafExtinction : f32 = 0.46;",
+  "const cullPatch : u32 = 1u;",
+  "const cullDistance : u32 = 8u;",
+  "const leaveThinned : u32 = 32u;",
+  "fn planeDistance(plane : vec4f, point : vec3f) -> f32 {\n return dot(vec3f(plane.x, plane.y, plane.z), point) + plane.w;\n}",
+  "fn boxOutside(plane : vec4f, low : vec3f, high : vec3f) -> bool {\n let farthest = vec3f(select(low.x, high.x, plane.x >= 0.0), select(low.y, high.y, plane.y >= 0.0), select(low.z, high.z, plane.z >= 0.0));\n return planeDistance(plane, farthest) < 0.0;\n}",
+  "fn boxDistance(eye : vec3f, low : vec3f, high : vec3f) -> f32 {\n return length(max(max(low - eye, eye - high), vec3f(0.0)));\n}",
+  "const lodFullShare : f32 = 1.0 / 0.9;",
+  "fn lodShare(pixels : f32, threshold : f32) -> f32 {\n return clamp(pixels / threshold, 1.0 / 256.0, lodFullShare);\n}",
+  "const flattestRay : f32 = 1.0 / 96.0;",
+  "const maxLeafArea : f32 = 64.0;",
+  "fn leafAreaShare(most : f32, leafArea : f32, cosine : f32, pixels : f32) -> f32 {\n let wide = max(pixels * pixels, 1.0);\n return clamp(most * wide * wide * max(cosine, flattestRay) / (leafExtinction * max(leafArea, 1e-6)), 1.0 / 256.0, lodFullShare);\n}",
+  "const maxHeightCompensation : f32 = 1.3;",
+  "fn heightCompensation(share : f32, one : f32, spread : f32) -> f32 {\n if (share >= 1.0) {\n  return 1.0;\n }\n let full = min(one, 1.0);\n let sunk = pow(full / share, 1.0 / 3.0) - pow(full, 1.0 / 3.0);\n let rise = clamp(1.0 + (0.4 + 0.2 * spread) * sunk, 1.0, maxHeightCompensation);\n return floor(rise * 1024.0 + 0.5) / 1024.0;\n}",
+  "fn leafAreaLight(share : f32, spread : f32) -> f32 {\n return select(pow(share, 1.0 / (1.0 + 0.8 * spread)), 1.0, share >= 1.0);\n}",
+  "struct WindSource {\n @align(16) direction : vec3f,\n strength : f32,\n centre : vec3f,\n size : f32,\n speed : f32,\n rate : f32,\n turn : f32,\n alignment : f32,\n lift : f32,\n kind : u32,\n side : vec3f,\n perSize : f32,\n}",
+  "struct WindPhase {\n @align(16) shift : vec3f,\n cell : u32,\n fineShift : vec3f,\n fineCell : u32,\n angle : f32,\n turned : f32,\n}",
+  "struct WindLattice {\n @align(16) origin : vec3f,\n x : vec3f,\n y : vec3f,\n z : vec3f,\n}",
+  "struct Wind {\n @align(16) counts : u32,\n eddySize : f32,\n eddySpeed : f32,\n sum : f32,\n eddyPhase : vec3f,\n lattice : WindLattice,\n sources : array<WindSource, 8>,\n phases : array<WindPhase, 8>,\n}",
+  "struct Gravity {\n @align(16) direction : vec3f,\n strength : f32,\n attractor : vec3f,\n blend : f32,\n forward : f32,\n}",
+  "struct Environment {\n @align(16) gravity : Gravity,\n recovery : f32,\n colliderCount : u32,\n wind : Wind,\n}",
+  "struct Eyepoint {\n @align(16) planes : array<vec4f, 6>,\n eye : vec3f,\n drawDistance : f32,\n pixelsPerUnit : f32,\n lodThreshold : f32,\n lodWidth : f32,\n minWidth : f32,\n maxLeafArea : f32,\n maxEdgeOn : f32,\n samples : u32,\n buckets : f32,\n bucketDistance : f32,\n cullMask : u32,\n areaFactor : f32,\n sparseFrom : f32,\n sparseLeast : f32,\n}",
+  "struct FloorPlane {\n @align(16) middle : vec3f,\n reach : f32,\n along : vec3f,\n height : f32,\n halfSides : vec2f,\n cornerRadius : f32,\n}",
+  "const pyramidFactorBits : u32 = 2u;",
+  "fn pyramidCells(pixels : u32, level : u32) -> u32 {\n let bits = pyramidFactorBits * (level + 1u);\n return max((pixels + (1u << bits) - 1u) >> bits, 1u);\n}",
+  "struct ScreenBox {\n low : vec2i,\n high : vec2i,\n nearest : f32,\n isKnown : bool,\n}",
+  "fn screenBoxOf(viewProjection : mat4x4f, size : vec2u, low : vec3f, high : vec3f) -> ScreenBox {\n var box : ScreenBox;\n var lowest = vec2f(1e30);\n var highest = vec2f(-1e30);\n box.nearest = 0.0;\n box.isKnown = true;\n for (var i = 0u; i < 8u; i++) {\n  let corner = vec4f(select(low.x, high.x, (i & 1u) != 0u), select(low.y, high.y, (i & 2u) != 0u), select(low.z, high.z, (i & 4u) != 0u), 1.0);\n  let clip = viewProjection * corner;\n  if (!(clip.w > 0.0) || clip.z > clip.w) {\n   box.isKnown = false;\n   box.low = vec2i(0);\n   box.high = vec2i(0);\n   return box;\n  }\n  let place = vec2f(clip.x, clip.y) / clip.w;\n  lowest = min(lowest, place);\n  highest = max(highest, place);\n  box.nearest = max(box.nearest, clip.z / clip.w);\n }\n let pixels = vec2f(f32(size.x), f32(size.y));\n let last = pixels - vec2f(1.0);\n lowest = clamp(floor((lowest * 0.5 + vec2f(0.5)) * pixels) - vec2f(1.0), vec2f(0.0), last);\n highest = clamp(floor((highest * 0.5 + vec2f(0.5)) * pixels) + vec2f(1.0), vec2f(0.0), last);\n box.low = vec2i(i32(lowest.x), i32(lowest.y));\n box.high = vec2i(i32(highest.x), i32(highest.y));\n return box;\n}",
+  "const pyramidReach : i32 = 4;",
+  "fn pyramidLevelFor(box : ScreenBox, levels : u32) -> u32 {\n let extent = max(box.high.x - box.low.x, box.high.y - box.low.y);\n let level = u32(max(i32(firstLeadingBit(extent)) - 2, 0)) / pyramidFactorBits;\n let bits = pyramidFactorBits * (level + 1u);\n let fits = (box.high.x >> bits) - (box.low.x >> bits) < pyramidReach && (box.high.y >> bits) - (box.low.y >> bits) < pyramidReach;\n return min(select(level + 1u, level, fits), levels - 1u);\n}",
+  "const outlineMost : f32 = 1.35;",
+  "struct LevelSteps {\n @align(16) distance_ : vec4f,\n segments : vec4f,\n count : u32,\n}",
+  "struct SunShadow {\n @align(16) across : vec4f,\n down : vec4f,\n depth : vec4f,\n size : u32,\n texel : f32,\n epsilon : f32,\n reserved : u32,\n}",
+  "struct UpdateRate {\n @align(16) everyFrame : f32,\n everyThird : f32,\n longest : f32,\n frame : u32,\n}",
+  "struct Frame {\n @align(16) viewProjection : mat4x4f,\n rays : array<vec3f, 3>,\n depthOfEye : f32,\n view : Eyepoint,\n environment : Environment,\n patchCount : u32,\n bladeCount : u32,\n visibleCapacity : u32,\n maxTessellation : u32,\n sunDirection : vec3f,\n exposure : f32,\n sunColor : vec3f,\n debugMode : u32,\n skyColor : vec3f,\n fogDensity : f32,\n groundColor : vec3f,\n skyUp : vec3f,\n fixedTessellation : f32,\n clouds : f32,\n levelSteps : LevelSteps,\n updateRate : UpdateRate,\n cover : Cover,\n shadow : SunShadow,\n bladeShadow : BladeShadow,\n fogFalloff : f32,\n lowSun : f32,\n tick : u32,\n floorPlane : FloorPlane,\n reserved : array<vec4u, 36>,\n}",
+  "@group(0) @binding(0) var<uniform> frameConstants_ : Frame;",
+  "struct Pyramid {\n @align(16) size : vec2u,\n first : array<vec4u, 7>,\n levels : u32,\n}",
+  "struct Push {\n @align(16) pyramid : Pyramid,\n size : vec2u,\n patchCount : u32,\n tick : u32,\n isIdPass : u32,\n firstBlade : u32,\n capacity : u32,\n}",
+  "@group(0) @binding(2) var<uniform> push_ : Push;",
+  "@group(0) @binding(5) var<storage, read> patches_ : array<Patch>;",
+  "@group(0) @binding(10) var<storage, read_write> visiblePatches_ : array<VisiblePatch>;",
+  "@group(0) @binding(12) var<storage, read_write> counters_ : array<atomic<u32>>;",
+  "const countPatches : u32 = 0u;",
+  "const groupsOfRow : u32 = 4096u;",
+  "struct VisiblePatch {\n patchIndex : u32,\n count : u32,\n}",
+  "const pageBlades : u32 = 1024u;",
+  "fn sectionMargin(distance_ : f32, minWidth : f32) -> f32 {\n return minWidth * distance_;\n}",
+  "fn sparseShare(view : Eyepoint, share : f32, distance_ : f32) -> f32 {\n if (view.sparseFrom <= 0.0 || distance_ <= view.sparseFrom) {\n  return 1.0;\n }\n let nearness = view.sparseFrom / distance_;\n return max(nearness * nearness * nearness, min(view.sparseLeast / share, 1.0));\n}",
+  "fn leavesPerDrawn(view : Eyepoint, distance_ : f32) -> f32 {\n if (view.sparseFrom <= 0.0 || distance_ <= view.sparseFrom || view.lodThreshold <= 0.0) {\n  return 1.0;\n }\n let share = lodShare(view.lodWidth * view.pixelsPerUnit / max(distance_, 1e-6), view.lodThreshold);\n return 1.0 / sqrt(sparseShare(view, share, distance_));\n}",
+  "fn shareAt(view : Eyepoint, distance_ : f32) -> f32 {\n if (view.lodThreshold <= 0.0) {\n  return lodFullShare;\n }\n let share = lodShare(view.lodWidth * view.pixelsPerUnit / max(distance_, 1e-6), view.lodThreshold);\n return share * sparseShare(view, share, distance_);\n}",
+  "fn middleWidth(cell : Patch) -> f32 {\n return cell.widthLow + 31.5 * cell.widthStep;\n}",
+  "fn leafAreaAround(cell : Patch) -> f32 {\n let fewest = 4u;\n if (cell.bladeCount < fewest) {\n  return 0.0;\n }\n let count = f32(cell.bladeCount);\n let side = 65535.0 * cell.rootStep * (count + 1.0) / (count - 1.0);\n let around = count / max(cell.rankHigh - cell.rankLow, 1e-6);\n let height = cell.heightLow + 127.5 * cell.heightStep;\n return min(0.7 * around * middleWidth(cell) * height / max(side * side, 1e-12), maxLeafArea);\n}",
+  "fn steepestRay(eye : vec3f, cell : Patch) -> f32 {\n let low = cell.boundsLow - eye;\n let high = cell.boundsHigh - eye;\n let middle = 0.5 * (low + high);\n let above = abs(dot(cell.coneAxis, middle)) + dot(abs(cell.coneAxis), 0.5 * (high - low));\n let nearest = max(boxDistance(eye, cell.boundsLow, cell.boundsHigh), 1e-6);\n let slope = sqrt(max(1.0 - cell.coneCosine * cell.coneCosine, 0.0));\n return min(above / nearest + max(slope - octahedralMaxError, 0.0), 1.0);\n}",
+  "struct LeafAreaLimit {\n share : f32,\n height : f32,\n light : f32,\n}",
+  "fn noLeafAreaLimit() -> LeafAreaLimit {\n var limit : LeafAreaLimit;\n limit.share = lodFullShare;\n limit.height = 1.0;\n limit.light = 1.0;\n return limit;\n}",
+  "fn leafAreaLimitOf(view : Eyepoint, cell : Patch) -> LeafAreaLimit {\n var limit = noLeafAreaLimit();\n if (view.maxLeafArea <= 0.0) {\n  return limit;\n }\n let nearest = max(boxDistance(view.eye, cell.boundsLow, cell.boundsHigh), 1e-6);\n let pixels = middleWidth(cell) * view.pixelsPerUnit / nearest;\n if (leafAreaShare(view.maxLeafArea, maxLeafArea, 0.0, pixels) >= lodFullShare) {\n  return limit;\n }\n let leafArea = min(view.areaFactor * leafAreaAround(cell), maxLeafArea);\n let cosine = steepestRay(view.eye, cell);\n limit.share = leafAreaShare(view.maxLeafArea, leafArea, cosine, pixels);\n let range = 255.0 * cell.heightStep;\n let spread = min(2.0 * range / max(cell.heightLow + range, 1e-6), 1.0);\n limit.height = heightCompensation(limit.share, leafAreaShare(1.0, leafArea, cosine, 1.0), spread);\n limit.light = leafAreaLight(limit.share, spread);\n return limit;\n}",
+  "fn patchMargin(view : Eyepoint, cell : Patch, widest : f32) -> f32 {\n let farthest = max(abs(cell.boundsLow - view.eye), abs(cell.boundsHigh - view.eye));\n let share = shareAt(view, length(farthest));\n let size = cell.boundsHigh - cell.boundsLow;\n let highest = 0.5 * min(size.x, min(size.y, size.z));\n return 0.5 * outlineMost * widest / (0.95 * share * leavesPerDrawn(view, length(farthest))) + sectionMargin(length(farthest), view.minWidth) + select(0.0, (maxHeightCompensation - 1.0) * highest, view.maxLeafArea > 0.0);\n}",
+  "fn thickEnough(view : Eyepoint, cell : Patch) -> u32 {\n if ((view.cullMask & leaveThinned) == 0u || view.lodThreshold <= 0.0) {\n  return cell.bladeCount;\n }\n let thinned = shareAt(view, boxDistance(view.eye, cell.boundsLow, cell.boundsHigh));\n let share = min(thinned, min(thinned, 1.0) * leafAreaLimitOf(view, cell).share);\n if (share <= cell.rankLow) {\n  return 0u;\n }\n if (share >= cell.rankHigh) {\n  return cell.bladeCount;\n }\n let count = f32(cell.bladeCount);\n let first = (share - cell.rankLow) / (cell.rankHigh - cell.rankLow) * count;\n return min(u32(ceil(first)) + 1u, cell.bladeCount);\n}",
+  "fn patchCulled(view : Eyepoint, cell : Patch, widest : f32) -> bool {\n if ((view.cullMask & cullPatch) == 0u) {\n  return false;\n }\n let margin = patchMargin(view, cell, widest);\n let low = cell.boundsLow - vec3f(margin);\n let high = cell.boundsHigh + vec3f(margin);\n var outside = false;\n for (var i = 0u; i < 6u; i++) {\n  outside = outside || boxOutside(view.planes[i], low, high);\n }\n if (outside) {\n  return true;\n }\n return (view.cullMask & cullDistance) != 0u && boxDistance(view.eye, cell.boundsLow, cell.boundsHigh) > view.drawDistance;\n}",
+  "@group(0) @binding(19) var<storage, read> cellBits_ : array<u32>;",
+  "fn fetch_cells(i : u32) -> f32 {\n return bitcast<f32>(cellBits_[i]);\n}",
+  "fn behindPyramid(box : ScreenBox) -> bool {\n let level = pyramidLevelFor(box, push_.pyramid.levels);\n let bits = pyramidFactorBits * (level + 1u);\n if (any((box.high >> vec2u(bits)) - (box.low >> vec2u(bits)) >= vec2i(pyramidReach))) {\n  return false;\n }\n let row = pyramidCells(push_.pyramid.size.x, level);\n let first = push_.pyramid.first[level].x;\n let nearest = box.nearest * 1.00001;\n let low = box.low >> vec2u(bits);\n let high = box.high >> vec2u(bits);\n for (var y = low.y; y <= high.y; y++) {\n  for (var x = low.x; x <= high.x; x++) {\n   if (fetch_cells(first + u32(y) * row + u32(x)) <= nearest) {\n    return false;\n   }\n  }\n }\n return true;\n}",
+  "fn isHidden(low : vec3f, high : vec3f) -> bool {\n if (push_.pyramid.levels == 0u) {\n  return false;\n }\n let box = screenBoxOf(frameConstants_.viewProjection, push_.pyramid.size, low, high);\n return box.isKnown && behindPyramid(box);\n}",
+  "@group(0) @binding(14) var<storage, read> widest_ : array<f32>;",
+  "@group(0) @binding(15) var<storage, read> present_ : array<u32>;",
+  "fn isHere(page : u32) -> bool {\n return (present_[page / 32u] & (1u << (page % 32u))) != 0u;\n}",
+  "@compute @workgroup_size(64, 1, 1)\nfn main(@builtin(workgroup_id) WorkGroupID_ : vec3u, @builtin(global_invocation_id) GlobalInvocationID_ : vec3u) {\n let node = WorkGroupID_.y * groupsOfRow * 64u + GlobalInvocationID_.x;\n if (node >= push_.patchCount) {\n  return;\n }\n let cell = patches_[node];\n if (cell.bladeCount == 0u || patchCulled(frameConstants_.view, cell, widest_[node])) {\n  return;\n }\n let margin = vec3f(patchMargin(frameConstants_.view, cell, widest_[node]));\n if (isHidden(cell.boundsLow - margin, cell.boundsHigh + margin)) {\n  return;\n }\n let count = thickEnough(frameConstants_.view, cell);\n if (count == 0u || !isHere(cell.firstBlade / pageBlades) || !isHere((cell.firstBlade + count - 1u) / pageBlades)) {\n  return;\n }\n visiblePatches_[atomicAdd(&counters_[countPatches], 1u)] = VisiblePatch(node, count);\n}",
+  "@group(0) @binding(12) var<storage, read> counters_ : array<u32>;",
+  "@group(0) @binding(13) var<storage, read_write> arguments_ : array<u32>;",
+  "const countBlades : u32 = 1u;",
+  "const countRows : u32 = 3u;",
+  "const argumentsPatches : u32 = 0u;",
+  "const argumentsBlades : u32 = 4u;",
+  "const argumentsRows : u32 = 8u;",
+  "const maxRowBlocks : u32 = 1u << 20u;",
+  "const rowBlocksOfGroup : u32 = 8u;",
+  "fn argue(first : u32, groups : u32, count : u32) {\n arguments_[first] = min(groups, groupsOfRow);\n arguments_[first + 1u] = (groups + groupsOfRow - 1u) / groupsOfRow;\n arguments_[first + 2u] = 1u;\n arguments_[first + 3u] = count;\n}",
+  "@compute @workgroup_size(1, 1, 1)\nfn main() {\n let cells = min(counters_[countPatches], push_.patchCount);\n argue(argumentsPatches, cells, cells);\n let drawn = min(counters_[countBlades], push_.capacity);\n argue(argumentsBlades, (drawn + 63u) / 64u, drawn);\n let rows = min(counters_[countRows], maxRowBlocks);\n argue(argumentsRows, (rows + rowBlocksOfGroup - 1u) / rowBlocksOfGroup, rows);\n}",
+  "fn mixUint(x_in : u32) -> u32 {\n var x = x_in;\n x ^= x >> 16u;\n x *= 0x7feb352du;\n x ^= x >> 15u;\n x *= 0x846ca68bu;\n x ^= x >> 16u;\n return x;\n}",
+  "const latticeX : u32 = 0x9e3779b1u;",
+  "const latticeY : u32 = 0x85ebca77u;",
+  "const latticeZ : u32 = 0xc2b2ae3du;",
+  "fn latticePoint(x : i32, y : i32, z : i32) -> u32 {\n return u32(x) * latticeX + u32(y) * latticeY + u32(z) * latticeZ;\n}",
+  "fn latticeHeight(point_in : u32) -> f32 {\n var point = point_in;\n point ^= point >> 11u;\n point *= 0x31848babu;\n return f32(point);\n}",
+  "const latticeUnit : f32 = 1.0 / 4294967296.0;",
+  "fn valueNoiseFrom(origin : u32, p : vec3f) -> f32 {\n let cell = floor(p);\n let f = p - cell;\n let s = f * f * (vec3f(3.0) - 2.0 * f);\n let near = origin + latticePoint(i32(cell.x), i32(cell.y), i32(cell.z));\n let far = near + latticeZ;\n let nearHeight = mix(mix(latticeHeight(near), latticeHeight(near + latticeX), s.x), mix(latticeHeight(near + latticeY), latticeHeight(near + latticeX + latticeY), s.x), s.y);\n let farHeight = mix(mix(latticeHeight(far), latticeHeight(far + latticeX), s.x), mix(latticeHeight(far + latticeY), latticeHeight(far + latticeX + latticeY), s.x), s.y);\n return latticeUnit * mix(nearHeight, farHeight, s.z);\n}",
+  "fn valueNoise(p : vec3f) -> f32 {\n return valueNoiseFrom(0u, p);\n}",
+  "fn signNotZero(x : f32) -> f32 {\n return select(-1.0, 1.0, x >= 0.0);\n}",
+  "fn folded(x : f32, y : f32) -> vec3f {\n let z = 1.0 - abs(x) - abs(y);\n var t1_ : vec3f;\n if (z >= 0.0) {\n  t1_ = vec3f(x, y, z);\n } else {\n  t1_ = vec3f((1.0 - abs(y)) * signNotZero(x), (1.0 - abs(x)) * signNotZero(y), z);\n }\n let v = t1_;\n return normalize(v);\n}",
+  "fn decodeOctahedral(bits : u32) -> vec3f {\n return folded(f32(i32(bits & 255u) - 127) * (1.0 / 127.0), f32(i32((bits >> 8u) & 255u) - 127) * (1.0 / 127.0));\n}",
+  "fn packSnorm16(x : f32) -> u32 {\n return u32(i32(floor(clamp(x, -1.0, 1.0) * 32767.0 + 0.5))) & 65535u;\n}",
+  "fn unpackSnorm16(bits : u32) -> f32 {\n return f32((i32(bits & 65535u) ^ 32768) - 32768) * (1.0 / 32767.0);\n}",
+  "fn tangentOf(n : vec3f) -> vec3f {\n let s = signNotZero(n.z);\n let a = -1.0 / (s + n.z);\n return vec3f(1.0 + s * n.x * n.x * a, s * n.x * n.y * a, -s * n.x);\n}",
+  "fn bitangentOf(n : vec3f) -> vec3f {\n let s = signNotZero(n.z);\n let a = -1.0 / (s + n.z);\n return vec3f(n.x * n.y * a, s + n.y * n.y * a, -n.y);\n}",
+  "const twoPi : f32 = 6.28318530717958647692;",
+  "struct PackedBlade {\n rootXY : u32,\n rootZUp : u32,\n shape : u32,\n look : u32,\n}",
+  "struct Blade {\n root : vec3f,\n facing : f32,\n up : vec3f,\n stiffness : f32,\n height : f32,\n width : f32,\n exposure : f32,\n species : u32,\n tint : vec3f,\n clump : u32,\n hash : u32,\n seed : u32,\n}",
+  "fn seedOf(bits : PackedBlade) -> u32 {\n let kept = (bits.shape & 0xffc000ffu) ^ ((bits.rootZUp >> 16u) << 8u);\n return mixUint(kept + bits.look * 0x9e3779b9u) >> 16u;\n}",
+  "fn unpackBlade(bits : PackedBlade, cell : Patch) -> Blade {\n var blade : Blade;\n blade.root = cell.rootLow + cell.rootStep * vec3f(f32(bits.rootXY & 65535u), f32(bits.rootXY >> 16u), f32(bits.rootZUp & 65535u));\n blade.up = decodeOctahedral(bits.rootZUp >> 16u);\n blade.facing = f32(bits.shape & 255u) * (twoPi / 256.0);\n blade.height = cell.heightLow + cell.heightStep * f32((bits.shape >> 8u) & 255u);\n blade.width = cell.widthLow + cell.widthStep * f32((bits.shape >> 16u) & 63u);\n blade.stiffness = f32((bits.shape >> 22u) & 63u) * (1.0 / 63.0);\n blade.hash = bits.shape >> 28u;\n blade.tint = vec3f(f32(bits.look & 31u) * (1.0 / 31.0), f32((bits.look >> 5u) & 63u) * (1.0 / 63.0), f32((bits.look >> 11u) & 31u) * (1.0 / 31.0));\n blade.exposure = f32((bits.look >> 16u) & 31u) * (1.0 / 31.0);\n blade.species = (bits.look >> 21u) & 7u;\n blade.clump = bits.look >> 24u;\n blade.seed = seedOf(bits);\n return blade;\n}",
+  "fn widthAxis(up : vec3f, facing : f32) -> vec3f {\n return tangentOf(up) * cos(facing) + bitangentOf(up) * sin(facing);\n}",
+  "fn frontOf(up : vec3f, axis : vec3f) -> vec3f {\n return cross(up, axis);\n}",
+  "struct BladeAxes {\n front : vec3f,\n side : vec3f,\n up : vec3f,\n}",
+  "fn axesAlong(up : vec3f, axis : vec3f) -> BladeAxes {\n var axes : BladeAxes;\n axes.front = frontOf(up, axis);\n axes.side = -axis;\n axes.up = up;\n return axes;\n}",
+  "fn alongAxes(axes : BladeAxes, v : vec3f) -> vec3f {\n return vec3f(dot(v, axes.front), dot(v, axes.side), dot(v, axes.up));\n}",
+  "fn inSpace(axes : BladeAxes, v : vec3f) -> vec3f {\n return v.x * axes.front + v.y * axes.side + v.z * axes.up;\n}",
+  "const cullResultDrawn : u32 = 0u;",
+  "const cullResultOrientation : u32 = 2u;",
+  "const cullResultFrustum : u32 = 3u;",
+  "const cullResultDistance : u32 = 4u;",
+  "const cullResultLod : u32 = 6u;",
+  "const cullOrientation : u32 = 2u;",
+  "const cullFrustum : u32 = 4u;",
+  "fn curveOutside(plane : vec4f, v0 : vec3f, v1 : vec3f, v2 : vec3f, margin : f32) -> bool {\n return max(max(planeDistance(plane, v0), planeDistance(plane, v1)), planeDistance(plane, v2)) < -margin;\n}",
+  "fn edgeOnCosine(eye : vec3f, root : vec3f, axis : vec3f) -> f32 {\n let ray = root - eye;\n return min(abs(dot(ray, axis)) / max(length(ray), 1e-6), 1.0);\n}",
+  "fn bucketsKeep(buckets : f32, last : f32, distance_ : f32, rank : f32) -> bool {\n return buckets <= 0.0 || rank * buckets < floor(buckets * (1.0 - distance_ / last));\n}",
+  "const lodFade : f32 = 0.1;",
+  "fn lodWidthFactor(rank : f32, share : f32) -> f32 {\n if (share >= lodFullShare) {\n  return 1.0;\n }\n let fade = lodFade * share;\n let weight = clamp((share - rank) / fade, 0.0, 1.0);\n let beyond = max(share - 1.0, 0.0);\n let mean = share - 0.5 * fade - 0.5 * beyond * beyond / fade;\n return weight / mean;\n}",
+  "fn leafAreaWeight(rank : f32, share : f32) -> f32 {\n if (share >= lodFullShare) {\n  return 1.0;\n }\n return clamp((share - rank) / (lodFade * share), 0.0, 1.0);\n}",
+  "struct ColliderMask {\n words : array<u32, 8>,\n}",
+  "const windNoise : u32 = 0u;",
+  "const windTurning : u32 = 1u;",
+  "const windWave : u32 = 2u;",
+  "const windRadial : u32 = 3u;",
+  "const windSwirl : u32 = 4u;",
+  "const windGusts : u32 = 5u;",
+  "const windsAlike : u32 = 1u << 24u;",
+  "fn rowOf(m : mat4x4f, i : i32) -> vec3f {\n return vec3f(m[0][i], m[1][i], m[2][i]);\n}",
+  "fn screenBoxOfCurve(viewProjection : mat4x4f, size : vec2u, v0 : vec3f, v1 : vec3f, v2 : vec3f, margin : f32) -> ScreenBox {\n let a = viewProjection * vec4f(v0, 1.0);\n let b = viewProjection * vec4f(v1, 1.0);\n let c = viewProjection * vec4f(v2, 1.0);\n let ofW = length(rowOf(viewProjection, 3));\n let minW = min(min(a.w, b.w), c.w) - margin * ofW;\n let maxZ = max(max(a.z, b.z), c.z) + margin * length(rowOf(viewProjection, 2));\n var box : ScreenBox;\n box.low = vec2i(0);\n box.high = vec2i(0);\n box.nearest = 0.0;\n box.isKnown = minW > 0.0 && maxZ <= minW;\n if (!box.isKnown) {\n  return box;\n }\n let placeA = vec2f(a.x, a.y) * (1.0 / a.w);\n let placeB = vec2f(b.x, b.y) * (1.0 / b.w);\n let placeC = vec2f(c.x, c.y) * (1.0 / c.w);\n var lowest = min(min(placeA, placeB), placeC);\n var highest = max(max(placeA, placeB), placeC);\n let ofPlace = vec2f(length(rowOf(viewProjection, 0)), length(rowOf(viewProjection, 1)));\n let perW = 1.0 / minW;\n let reach = (ofPlace + max(abs(lowest), abs(highest)) * ofW) * (margin * perW);\n let pixels = vec2f(f32(size.x), f32(size.y));\n let last = pixels - vec2f(1.0);\n lowest = floor(((lowest - reach) * 0.5 + vec2f(0.5)) * pixels) - vec2f(1.0);\n highest = floor(((highest + reach) * 0.5 + vec2f(0.5)) * pixels) + vec2f(1.0);\n box.low = vec2i(clamp(lowest, vec2f(0.0), last));\n box.high = vec2i(clamp(highest, vec2f(0.0), last));\n box.nearest = maxZ * perW;\n return box;\n}",
+  "fn bezierPoint(v0 : vec3f, v1 : vec3f, v2 : vec3f, t : f32) -> vec3f {\n let a = v0 + t * (v1 - v0);\n let b = v1 + t * (v2 - v1);\n return a + t * (b - a);\n}",
+  "fn bezierTangent(v0 : vec3f, v1 : vec3f, v2 : vec3f, t : f32) -> vec3f {\n return 2.0 * ((1.0 - t) * (v1 - v0) + t * (v2 - v1));\n}",
+  "struct BladeState {\n turn : u32,\n eta : f32,\n}",
+  "const unsettledTurn : u32 = 0x80008000u;",
+  "struct Pose {\n v1 : vec3f,\n v2 : vec3f,\n}",
+  "fn directionOfTurn(turn : vec2f) -> vec3f {\n let square = min(dot(turn, turn), 1.0);\n return 1.0 / (1.0 + square) * vec3f(2.0 * turn.x, 2.0 * turn.y, 1.0 - square);\n}",
+  "fn stateOfTurn(turn : vec2f, eta : f32) -> BladeState {\n var state : BladeState;\n state.turn = packSnorm16(turn.x) | (packSnorm16(turn.y) << 16u);\n state.eta = eta;\n return state;\n}",
+  "fn storedTurn(state : BladeState) -> vec2f {\n return vec2f(unpackSnorm16(state.turn), unpackSnorm16(state.turn >> 16u));\n}",
+  "fn storedDirection(state : BladeState) -> vec3f {\n return directionOfTurn(storedTurn(state));\n}",
+  "fn lengthCorrection(side : f32) -> f32 {\n if (side > 0.95) {\n  return (-0.48620368 * side + 0.92399928) * side + 0.55642926;\n }\n let high = (-1.3481541 * side + 4.0007265) * side - 4.6675167;\n let low = (high * side + 2.7635532) * side - 0.71043977;\n return (low * side - 0.037761414) * side + 1.0;\n}",
+  "fn tipDistance(direction : vec3f) -> f32 {\n return lengthCorrection(length(vec2f(direction.x, direction.y)));\n}",
+  "fn poseOfState(axes : BladeAxes, state : BladeState) -> Pose {\n let direction = storedDirection(state);\n let side = length(vec2f(direction.x, direction.y));\n let scale = lengthCorrection(side);\n var pose : Pose;\n pose.v1 = axes.up * (max(1.0 - side, 0.05) * scale);\n pose.v2 = inSpace(axes, direction * scale);\n return pose;\n}",
+  "struct Species {\n @align(16) rootColor : vec3f,\n tipThreshold : f32,\n tipColor : vec3f,\n groundTint : f32,\n colorVariation : f32,\n translucency : f32,\n gloss : f32,\n dryness : f32,\n shape : u32,\n fold : f32,\n firstOrgan : u32,\n organKinds : u32,\n}",
+  "struct Organ {\n @align(16) look : Species,\n count : u32,\n place : vec2f,\n pitch : vec2f,\n size : vec2f,\n width : f32,\n azimuth : f32,\n turn : f32,\n bend : f32,\n leg : f32,\n variation : f32,\n}",
+  "fn ribbonNumber(species : Species, blade : Blade) -> u32 {\n return select(0u, blade.clump, species.organKinds > 0u);\n}",
+  "fn organOf(species : Species, number : u32, within : ptr<function, u32>) -> u32 {\n var kind = species.firstOrgan;\n (*within) = number - 1u;\n while (kind + 1u < species.firstOrgan + species.organKinds && (*within) >= fetch_organs(kind).count) {\n  (*within) -= fetch_organs(kind).count;\n  kind++;\n }\n return kind;\n}",
+  "struct PosedBlade {\n blade : Blade,\n v0 : vec3f,\n v1 : vec3f,\n v2 : vec3f,\n axis : vec3f,\n}",
+  "fn posedBlade(blade : Blade, state : BladeState) -> PosedBlade {\n var posed : PosedBlade;\n posed.blade = blade;\n posed.axis = widthAxis(blade.up, blade.facing);\n let pose = poseOfState(axesAlong(blade.up, posed.axis), state);\n posed.v0 = blade.root;\n posed.v1 = blade.root + blade.height * pose.v1;\n posed.v2 = blade.root + blade.height * pose.v2;\n return posed;\n}",
+  "fn plantKey(blade : Blade) -> u32 {\n return blade.hash | ((u32(blade.facing * (256.0 / twoPi) + 0.5) & 255u) << 4u);\n}",
+  "fn organDice(blade : Blade, number : u32, salt : u32) -> f32 {\n return f32(mixUint(plantKey(blade) | (number << 12u) | (salt << 20u)) >> 8u) * (1.0 / 16777215.0) - 0.5;\n}",
+  "fn aboveGround(root : vec3f, up : vec3f, v : vec3f) -> vec3f {\n return v - up * min(dot(up, v - root), 0.0);\n}",
+  "fn posedRibbon(stalk : PosedBlade, organ : Organ, number : u32, within : u32) -> PosedBlade {\n let plant = stalk.blade;\n let share = select(0.0, f32(within) / f32(organ.count - 1u), organ.count > 1u);\n let t = mix(organ.place.x, organ.place.y, share);\n var along = bezierTangent(stalk.v0, stalk.v1, stalk.v2, t);\n along = normalize(select(stalk.v1 - stalk.v0, along, dot(along, along) > 1e-10 * plant.height * plant.height));\n var side = stalk.axis - along * dot(along, stalk.axis);\n let level = dot(side, side);\n side = select(plant.up, side * inverseSqrt(level), level > 1e-6);\n let front = cross(along, side);\n let azimuth = organ.azimuth + organ.turn * f32(within) + 2.0 * organ.variation * organDice(plant, number, 0u);\n let pitch = mix(organ.pitch.x, organ.pitch.y, share) + 0.8 * organ.variation * organDice(plant, number, 1u);\n let outwards = cos(azimuth) * side + sin(azimuth) * front;\n var ribbon : PosedBlade;\n ribbon.blade = plant;\n ribbon.blade.height = plant.height * mix(organ.size.x, organ.size.y, share) * (1.0 + 0.6 * organ.variation * organDice(plant, number, 2u));\n ribbon.axis = cos(azimuth) * front - sin(azimuth) * side;\n let leg = organ.leg * ribbon.blade.height;\n ribbon.v0 = bezierPoint(stalk.v0, stalk.v1, stalk.v2, t);\n let v1 = ribbon.v0 + leg * (cos(pitch) * along + sin(pitch) * outwards);\n let v2 = v1 + leg * (cos(pitch + organ.bend) * along + sin(pitch + organ.bend) * outwards);\n ribbon.v1 = aboveGround(plant.root, plant.up, v1);\n ribbon.v2 = aboveGround(plant.root, plant.up, v2);\n return ribbon;\n}",
+  "fn ribbonOf(species : Species, stalk : PosedBlade, number : u32) -> PosedBlade {\n var within = 0u;\n let kind = organOf(species, number, &within);\n return posedRibbon(stalk, fetch_organs(kind), number, within);\n}",
+  "const ticksPerSecond : f32 = 262144.0;",
+  "fn secondsBetween(then : u32, now : u32) -> f32 {\n return f32(now - then) / ticksPerSecond;\n}",
+  "const settlingTime : f32 = 12.0;",
+  "struct VisibleBlade {\n blade : u32,\n patchIndex : u32,\n factors : u32,\n pixels : f32,\n}",
+  "const heightFactorBits : u32 = 0x03ff0000u;",
+  "fn packFactors(width : f32, height : f32) -> u32 {\n return pack2x16float(vec2f(width, height)) & (heightFactorBits | 0xffffu);\n}",
+  "struct Looks {\n @align(16) species : array<Species, 8>,\n organs : array<Organ, 32>,\n}",
+  "@group(0) @binding(1) var<uniform> looks_ : Looks;",
+  "@group(0) @binding(3) var<storage, read> blades_ : array<PackedBlade>;",
+  "@group(0) @binding(4) var<storage, read_write> states_ : array<u32>;",
+  "@group(0) @binding(10) var<storage, read> visiblePatches_ : array<VisiblePatch>;",
+  "@group(0) @binding(11) var<storage, read_write> visible_ : array<VisibleBlade>;",
+  "const countMoved : u32 = 4u;",
+  "fn fetch_species(i : u32) -> Species {\n return looks_.species[i];\n}",
+  "fn fetch_organs(i : u32) -> Organ {\n return looks_.organs[i];\n}",
+  "struct SampleMask {\n threshold : f32,\n first : u32,\n samples : u32,\n}",
+  "fn sampleMaskOf(seed : u32, samples : u32) -> SampleMask {\n var mask : SampleMask;\n mask.threshold = (f32(seed & 0x1fffu) + 0.5) / 8192.0;\n mask.first = (seed >> 13u) % samples;\n mask.samples = samples;\n return mask;\n}",
+  "fn keptCount(mask : SampleMask, weight : f32) -> u32 {\n return select(mask.samples, u32(max(weight, 0.0) * f32(mask.samples) + mask.threshold), weight < 1.0);\n}",
+  "fn keptBits(mask : SampleMask, weight : f32) -> u32 {\n let all_ = (1u << mask.samples) - 1u;\n let bits = (1u << min(keptCount(mask, weight), mask.samples)) - 1u;\n return ((bits << mask.first) | (bits >> (mask.samples - mask.first))) & all_;\n}",
+  "fn keptSamples(weight : f32, seed : u32, samples : u32) -> u32 {\n return keptBits(sampleMaskOf(seed, samples), weight);\n}",
+  "struct Verdict {\n cullResult : u32,\n widthFactor : f32,\n pixels : f32,\n margin : f32,\n}",
+  "fn raised(blade : Blade, heightFactor : f32) -> Blade {\n var drawn = blade;\n drawn.height = blade.height * heightFactor;\n return drawn;\n}",
+  "struct DrawnSize {\n widthFactor : f32,\n pixels : f32,\n}",
+  "fn drawnSize(view : Eyepoint, limit : LeafAreaLimit, blade : Blade, rank : f32, distance_ : f32) -> DrawnSize {\n let share = shareAt(view, distance_);\n var size : DrawnSize;\n size.widthFactor = lodWidthFactor(rank, share) / leavesPerDrawn(view, distance_) * leafAreaWeight(rank / min(share, 1.0), limit.share);\n size.pixels = blade.height * view.pixelsPerUnit / max(distance_, 1e-6);\n return size;\n}",
+  "fn bladeRank(cell : Patch, i : u32) -> f32 {\n return mix(cell.rankLow, cell.rankHigh, (f32(i) + 0.5) / f32(cell.bladeCount));\n}",
+  "fn seenTooNarrow(view : Eyepoint, posed : PosedBlade, widthFactor : f32) -> bool {\n let blade = posed.blade;\n let distance_ = length(posed.v0 - view.eye);\n let cosine = edgeOnCosine(view.eye, posed.v0, posed.axis);\n if (cosine > view.maxEdgeOn) {\n  return true;\n }\n let nearest = distance_ - blade.height;\n if (nearest <= 0.0 || view.minWidth <= 0.0) {\n  return false;\n }\n let sine = min(sqrt(1.0 - cosine * cosine) + 1.58 * blade.height / distance_, 1.0);\n let widest = outlineMost * blade.width * widthFactor * sine;\n return keptSamples(widest / (view.minWidth * nearest), blade.seed, view.samples) == 0u;\n}",
+  "fn cullBlade(view : Eyepoint, limit : LeafAreaLimit, posed : PosedBlade, rank : f32) -> Verdict {\n let blade = posed.blade;\n let distance_ = length(blade.root - view.eye);\n let size = drawnSize(view, limit, blade, rank, distance_);\n let factor = size.widthFactor;\n var verdict : Verdict;\n verdict.cullResult = cullResultDrawn;\n verdict.widthFactor = factor;\n verdict.pixels = size.pixels;\n verdict.margin = 0.5 * outlineMost * blade.width * max(factor, 1.0) + sectionMargin(distance_ + blade.height, view.minWidth);\n var outside = false;\n if ((view.cullMask & cullFrustum) != 0u) {\n  for (var i = 0u; i < 6u; i++) {\n   outside = outside || curveOutside(view.planes[i], posed.v0, posed.v1, posed.v2, verdict.margin);\n  }\n }\n if ((view.cullMask & cullOrientation) != 0u && seenTooNarrow(view, posed, select(1.0, factor, factor > 0.0))) {\n  verdict.cullResult = cullResultOrientation;\n } else {\n  if (outside) {\n   verdict.cullResult = cullResultFrustum;\n  } else {\n   if ((view.cullMask & cullDistance) != 0u && (distance_ > view.drawDistance || !bucketsKeep(view.buckets, view.bucketDistance, distance_, rank))) {\n    verdict.cullResult = cullResultDistance;\n   } else {\n    if (factor <= 0.0) {\n     verdict.cullResult = cullResultLod;\n    }\n   }\n  }\n }\n if (verdict.cullResult != cullResultDrawn) {\n  verdict.widthFactor = 0.0;\n }\n return verdict;\n}",
+  "override mayHaveOrgans : bool = true;",
+  "fn windCount(counts : u32, kind : u32) -> u32 {\n return (counts >> (4u * kind)) & 15u;\n}",
+  "const fineNoiseScale : f32 = 2.7;",
+  "const gustRows : u32 = 7u;",
+  "fn windWaveAt(source : WindSource, phase : WindPhase, position : vec3f, time : f32) -> f32 {\n let k = 6.2831853 * source.perSize;\n let along = k * (dot(position, source.direction) - source.speed * time) - phase.angle;\n let across = k * dot(position, source.side);\n let sum = cos(0.9 * along + 0.4 * across) + sin(0.55 * along - 0.25 * across) + sin(0.3 * along + 0.6 * across);\n return 1.0 - max(sum / 3.0, 0.0);\n}",
+  "fn inLattice(wind : Wind, v : vec3f, shift : vec3f) -> vec3f {\n let x = frameConstants_.environment.wind.lattice.x;\n let y = frameConstants_.environment.wind.lattice.y;\n let z = frameConstants_.environment.wind.lattice.z;\n return vec3f(shift.x + x.x * v.x + x.y * v.y + x.z * v.z, shift.y + y.x * v.x + y.y * v.y + y.z * v.z, shift.z + z.x * v.x + z.y * v.y + z.z * v.z);\n}",
+  "fn windNoiseAt(wind : Wind, source : WindSource, phase : WindPhase, position : vec3f, time : f32) -> f32 {\n let along = dot(position, source.direction) - 2.0 * source.speed * time;\n let stretched = inLattice(wind, 0.5 * source.perSize * (position + source.direction * along), phase.shift);\n let gust = 0.65 * valueNoiseFrom(phase.cell, stretched) + 0.35 * valueNoiseFrom(phase.fineCell, fineNoiseScale * stretched + phase.fineShift);\n return 2.0 * gust * gust;\n}",
+  "const gustRise : f32 = 0.12;",
+  "fn windGustAt(wind : Wind, source : WindSource, phase : WindPhase, position : vec3f, time : f32) -> f32 {\n let along = dot(position, source.direction);\n let across = inLattice(wind, source.perSize * (position - source.direction * along), vec3f(0.0));\n let bend = 0.8 * (valueNoise(0.7 * across + vec3f(5.1)) - 0.5) + phase.shift.x;\n let fronts = (source.speed * time - along) * source.perSize + bend;\n let front = floor(fronts);\n let s = fronts - front;\n let rise = clamp(s / gustRise, 0.0, 1.0);\n let fall = clamp((1.0 - s) / (1.0 - gustRise), 0.0, 1.0);\n let profile = rise * rise * (3.0 - 2.0 * rise) * fall * fall;\n let own = valueNoiseFrom(phase.cell, across + vec3f(0.0, 0.0, f32(gustRows) * front));\n return profile * clamp(2.0 * own - 0.2, 0.0, 1.0);\n}",
+  "fn parabolicSine(x : vec3f) -> vec3f {\n let f = 2.0 * fract(x) - vec3f(1.0);\n return -4.0 * f * (vec3f(1.0) - abs(f));\n}",
+  "const eddyDrift : vec3f = vec3f(0.48, 0.57, 0.67);",
+  "fn windEddies(size : f32, speed : f32, phase : vec3f, position : vec3f, time : f32) -> vec3f {\n let q = (position + eddyDrift * (speed * time)) / size + phase;\n let s = parabolicSine(q);\n let c = parabolicSine(q + vec3f(0.25));\n return 0.7 * (vec3f(s.z, s.x, s.y) + vec3f(c.y, c.z, c.x));\n}",
+  "const radialExtent : f32 = 75.0;",
+  "const swirlExtent : f32 = 30.0;",
+  "fn windAround(source : WindSource, phase : WindPhase, arm : vec3f, up : vec3f, time : f32, isSwirl : bool) -> vec3f {\n let distance_ = length(arm);\n let away = arm / (distance_ + 0.01 * source.size);\n let unit = select(radialExtent, swirlExtent, isSwirl) / source.size;\n let r = unit * distance_;\n let fade = max(1.0 - 0.25 * log2(select(0.2, 0.5, isSwirl) * r + 1.0), 0.0);\n let along = r - unit * source.speed * time - phase.angle;\n if (!isSwirl) {\n  return away * (fade * (1.0 - max(sin(0.4 * along), 0.0)));\n }\n let ring = sin(0.1 * along);\n return (away + 1.5 * (1.0 - fade * fade) * cross(up, away)) * (fade * ring * ring * ring);\n}",
+  "fn windAlong(wind : Wind, source : WindSource, direction : vec3f, amount : f32, position : vec3f, up : vec3f, time : f32) -> vec3f {\n let head = (1.0 - source.lift) * abs(dot(source.direction, up));\n var flow = direction;\n if (head > 0.0) {\n  flow += head * windEddies(wind.eddySize, wind.eddySpeed, wind.eddyPhase, position, time);\n }\n return amount * flow;\n}",
+  "fn windFelt(source : WindSource, flow : vec3f, axes : BladeAxes, direction : vec3f) -> vec3f {\n var wind = alongAxes(axes, flow);\n wind.z *= source.lift;\n let square = dot(wind, wind);\n let along = select(0.0, abs(dot(wind, direction)) * inverseSqrt(square), square > 1e-12);\n return (1.0 - source.alignment * along) * wind;\n}",
+  "fn windAmount(wind : Wind, position : vec3f, time : f32) -> f32 {\n var sum = 0.0;\n var next = 0u;\n for (var i = windCount(wind.counts, windNoise); i > 0u; i--) {\n  let phase = frameConstants_.environment.wind.phases[next];\n  let t1_ = next;\n  next++;\n  let source = frameConstants_.environment.wind.sources[t1_];\n  sum += source.strength * windNoiseAt(wind, source, phase, position, time);\n }\n for (var i = windCount(wind.counts, windWave); i > 0u; i--) {\n  let phase = frameConstants_.environment.wind.phases[next];\n  let t2_ = next;\n  next++;\n  let source = frameConstants_.environment.wind.sources[t2_];\n  let wave = windWaveAt(source, phase, position, time);\n  sum += source.strength * wave * wave;\n }\n for (var i = windCount(wind.counts, windGusts); i > 0u; i--) {\n  let phase = frameConstants_.environment.wind.phases[next];\n  let t3_ = next;\n  next++;\n  let source = frameConstants_.environment.wind.sources[t3_];\n  sum += source.strength * windGustAt(wind, source, phase, position, time);\n }\n return sum;\n}",
+  "fn windOfAmount(wind : Wind, amount : f32, position : vec3f, axes : BladeAxes, direction : vec3f, time : f32) -> vec3f {\n let source = frameConstants_.environment.wind.sources[0];\n return amount * windFelt(source, windAlong(wind, source, source.direction, 1.0, position, axes.up, time), axes, direction);\n}",
+  "fn windAlongAxes(wind : Wind, root : vec3f, axes : BladeAxes, direction : vec3f, time : f32) -> vec3f {\n let position = root + frameConstants_.environment.wind.lattice.origin;\n if ((wind.counts & windsAlike) != 0u) {\n  return windOfAmount(wind, windAmount(wind, position, time), position, axes, direction, time);\n }\n var sum = vec3f(0.0);\n var next = 0u;\n for (var i = windCount(wind.counts, windNoise); i > 0u; i--) {\n  let phase = frameConstants_.environment.wind.phases[next];\n  let t1_ = next;\n  next++;\n  let source = frameConstants_.environment.wind.sources[t1_];\n  let amount = source.strength * windNoiseAt(wind, source, phase, position, time);\n  sum += windFelt(source, windAlong(wind, source, source.direction, amount, position, axes.up, time), axes, direction);\n }\n for (var i = windCount(wind.counts, windTurning); i > 0u; i--) {\n  let phase = frameConstants_.environment.wind.phases[next];\n  let t2_ = next;\n  next++;\n  let source = frameConstants_.environment.wind.sources[t2_];\n  let angle = source.turn * time + phase.turned;\n  let turned = source.direction * cos(angle) + cross(axes.up, source.direction) * sin(angle);\n  let amount = source.strength * sin(source.rate * time + phase.angle - 6.2831853 * source.perSize * dot(position, source.direction));\n  sum += windFelt(source, windAlong(wind, source, turned, amount, position, axes.up, time), axes, direction);\n }\n for (var i = windCount(wind.counts, windWave); i > 0u; i--) {\n  let phase = frameConstants_.environment.wind.phases[next];\n  let t3_ = next;\n  next++;\n  let source = frameConstants_.environment.wind.sources[t3_];\n  let wave = windWaveAt(source, phase, position, time);\n  let amount = source.strength * wave * wave;\n  sum += windFelt(source, windAlong(wind, source, source.direction, amount, position, axes.up, time), axes, direction);\n }\n for (var i = windCount(wind.counts, windRadial); i > 0u; i--) {\n  let phase = frameConstants_.environment.wind.phases[next];\n  let t4_ = next;\n  next++;\n  let source = frameConstants_.environment.wind.sources[t4_];\n  sum += windFelt(source, source.strength * windAround(source, phase, root - source.centre, axes.up, time, false), axes, direction);\n }\n for (var i = windCount(wind.counts, windSwirl); i > 0u; i--) {\n  let phase = frameConstants_.environment.wind.phases[next];\n  let t5_ = next;\n  next++;\n  let source = frameConstants_.environment.wind.sources[t5_];\n  sum += windFelt(source, source.strength * windAround(source, phase, root - source.centre, axes.up, time, true), axes, direction);\n }\n for (var i = windCount(wind.counts, windGusts); i > 0u; i--) {\n  let phase = frameConstants_.environment.wind.phases[next];\n  let t6_ = next;\n  next++;\n  let source = frameConstants_.environment.wind.sources[t6_];\n  let amount = source.strength * windGustAt(wind, source, phase, position, time);\n  sum += windFelt(source, windAlong(wind, source, source.direction, amount, position, axes.up, time), axes, direction);\n }\n return sum;\n}",
+  "fn environmentAt(gravity : Gravity, root : vec3f) -> vec3f {\n var towards = gravity.direction;\n if (gravity.blend > 0.0) {\n  let toAttractor = gravity.attractor - root;\n  let distance_ = length(toAttractor);\n  let pull = select(vec3f(0.0), toAttractor / distance_, distance_ > 1e-6);\n  towards = mix(gravity.direction, pull, gravity.blend);\n }\n return gravity.strength * towards;\n}",
+  "struct TurnQuotient {\n over : vec2f,\n under : vec2f,\n}",
+  "fn timesConjugate(a : vec2f, b : vec2f) -> vec2f {\n return vec2f(a.x * b.x + a.y * b.y, a.y * b.x - a.x * b.y);\n}",
+  "fn turnAbove(turn : TurnQuotient) -> vec2f {\n let product = timesConjugate(turn.over, turn.under);\n let under = dot(turn.under, turn.under);\n if (dot(turn.over, turn.over) <= under) {\n  return 1.0 / under * product;\n }\n let square = dot(product, product);\n return select(vec2f(1.0, 0.0), inverseSqrt(square) * product, square > 1e-30);\n}",
+  "const lyingBelow : f32 = 1e-3;",
+  "fn relaxTurn(stiffness : f32, force : vec3f, recovery : f32, turn : vec2f, lies : bool, radius : f32, eta : f32, dt : f32) -> TurnQuotient {\n let b = 1.0 - stiffness;\n let k = max(recovery * (1.0 - 0.25 * b) * max(1.0 - eta, 0.1), 1e-3);\n var pull = b * force;\n pull.z += k;\n if (lies) {\n  pull.z = max(pull.z, 0.0);\n }\n let strength = length(pull);\n var turned : TurnQuotient;\n turned.over = turn;\n turned.under = vec2f(1.0, 0.0);\n if (strength < 1e-6 * k) {\n  return turned;\n }\n let fall = exp(-(strength / radius) * dt);\n let above = strength + pull.z;\n let below = strength - pull.z;\n let towards = (1.0 - fall) * vec2f(pull.x, pull.y);\n turned.over = (fall * above + below) * turn + towards;\n turned.under = timesConjugate(turn, towards);\n turned.under.x += above + fall * below;\n return turned;\n}",
+  "const longestStep : f32 = 0.034;",
+  "const maxSteps : u32 = 16u;",
+  "const stickingSpeed : f32 = 0.06;",
+  "fn advanceBlade(blade : Blade, environment : Environment, near : ColliderMask, state : BladeState, time : f32, elapsed : f32) -> BladeState {\n let axes = axesAlong(blade.up, widthAxis(blade.up, blade.facing));\n let fade = 0.5 * max(blade.stiffness, 0.1);\n let steps = u32(clamp(ceil(elapsed / longestStep), 1.0, f32(maxSteps)));\n let dt = elapsed / f32(steps);\n let pull = environmentAt(environment.gravity, blade.root);\n var gravity = alongAxes(axes, pull);\n gravity.x += environment.gravity.forward * length(pull);\n let first = storedTurn(state);\n var turn = first;\n var eta = state.eta;\n var pushed = 0.0;\n var resting = true;\n for (var i = 0u; i < steps; i++) {\n  let back = elapsed - dt * f32(i + 1u);\n  eta = max(eta - fade * dt, 0.0);\n  let direction = directionOfTurn(turn);\n  let radius = tipDistance(direction);\n  let before = pushed;\n  let wind = windAlongAxes(environment.wind, blade.root, axes, direction, time - back - 0.5 * dt);\n  turn = turnAbove(relaxTurn(blade.stiffness, gravity + radius * direction.z * wind, environment.recovery, turn, direction.z < lyingBelow, radius, eta, dt));\n }\n if (pushed > 0.0 && resting) {\n  let from_ = directionOfTurn(first);\n  let to = directionOfTurn(turn);\n  if (length(tipDistance(to) * to - tipDistance(from_) * from_) < stickingSpeed * elapsed) {\n   return state;\n  }\n }\n return stateOfTurn(turn, eta);\n}",
+  "fn isHidden_2(v0 : vec3f, v1 : vec3f, v2 : vec3f, margin : f32) -> bool {\n if (push_.pyramid.levels == 0u) {\n  return false;\n }\n let box = screenBoxOfCurve(frameConstants_.viewProjection, push_.pyramid.size, v0, v1, v2, margin);\n return box.isKnown && behindPyramid(box);\n}",
+  "@group(0) @binding(16) var<storage, read_write> patchTimes_ : array<u32>;",
+  "var<workgroup> kept : atomic<u32>;",
+  "var<workgroup> listBase : u32;",
+  "var<workgroup> survivors : array<vec4u, 512>;",
+  "@compute @workgroup_size(64, 1, 1)\nfn main(@builtin(workgroup_id) WorkGroupID_ : vec3u, @builtin(local_invocation_index) LocalInvocationIndex_ : u32) {\n let thread = LocalInvocationIndex_;\n let place = WorkGroupID_.y * groupsOfRow + WorkGroupID_.x;\n let count = min(atomicLoad(&counters_[countPatches]), push_.patchCount);\n let item = visiblePatches_[min(place, max(count, 1u) - 1u)];\n let wanted = select(0u, item.count, place < count);\n let patchIndex = item.patchIndex;\n let cell = patches_[patchIndex];\n let limit = leafAreaLimitOf(frameConstants_.view, cell);\n let elapsed = secondsBetween(patchTimes_[patchIndex], push_.tick);\n if (thread == 0u) {\n  atomicStore(&kept, 0u);\n }\n workgroupBarrier();\n for (var i = thread; i < wanted; i += 64u) {\n  let index = cell.firstBlade + i;\n  let blade = unpackBlade(blades_[index], cell);\n  var turn = states_[index];\n  let isNew = turn == unsettledTurn;\n  let since = select(elapsed, settlingTime, isNew);\n  if (since > 0.0) {\n   var none : ColliderMask;\n   turn = advanceBlade(blade, frameConstants_.environment, none, BladeState(select(turn, 0u, isNew), 0.0), 0.0, since).turn;\n   states_[index] = turn;\n  }\n  var number = 0u;\n  var drawn = posedBlade(raised(blade, limit.height), BladeState(turn, 0.0));\n  if (mayHaveOrgans) {\n   let species = fetch_species(blade.species);\n   number = ribbonNumber(species, blade);\n   if (number > 0u) {\n    drawn = ribbonOf(species, drawn, number);\n   }\n  }\n  let verdict = cullBlade(frameConstants_.view, limit, drawn, bladeRank(cell, i - min(number, i)));\n  if (verdict.cullResult == cullResultDrawn && !isHidden_2(drawn.v0, drawn.v1, drawn.v2, verdict.margin)) {\n   survivors[atomicAdd(&kept, 1u)] = vec4u(i, packFactors(verdict.widthFactor, limit.height), bitcast<u32>(verdict.pixels), 0u);\n  }\n }\n workgroupBarrier();\n if (thread == 0u && wanted > 0u) {\n  listBase = atomicAdd(&counters_[countBlades], atomicLoad(&kept));\n  atomicAdd(&counters_[countMoved], wanted);\n  patchTimes_[patchIndex] = push_.tick;\n }\n workgroupBarrier();\n for (var i = thread; i < atomicLoad(&kept); i += 64u) {\n  let survivor = survivors[i];\n  if (listBase + i < push_.capacity) {\n   visible_[listBase + i] = VisibleBlade(cell.firstBlade + survivor.x, patchIndex, survivor.y, bitcast<f32>(survivor.z));\n  }\n }\n}",
+  "const driedClump : u32 = 255u;",
+  "fn curveInside(plane : vec4f, v0 : vec3f, v1 : vec3f, v2 : vec3f, margin : f32) -> bool {\n return min(min(planeDistance(plane, v0), planeDistance(plane, v1)), planeDistance(plane, v2)) > margin;\n}",
+  "const shapeTriangleTip : u32 = 0u;",
+  "const shapeTriangle : u32 = 2u;",
+  "const shapeQuadratic : u32 = 3u;",
+  "const shapeDandelion : u32 = 4u;",
+  "const shapeLeaf : u32 = 5u;",
+  "const shapeStalkLeaf : u32 = 6u;",
+  "const shapeCount : u32 = 7u;",
+  "const baseWidth : f32 = 0.25;",
+  "const baseLength : f32 = 0.3;",
+  "const dandelionLobes : f32 = 4.0;",
+  "const segmentsPerLobe : f32 = 4.0;",
+  "fn outlineAt(shape : u32, tipThreshold : f32, t : f32) -> vec2f {\n var half_ = 0.5;\n if (shape == shapeTriangleTip) {\n  half_ = 0.5 - 0.5 * max(t - tipThreshold, 0.0) / max(1.0 - tipThreshold, 1e-3);\n } else {\n  if (shape == shapeTriangle) {\n   half_ = 0.5 - 0.5 * t;\n  } else {\n   if (shape == shapeQuadratic) {\n    return vec2f(-0.5, 0.5 - t * t);\n   } else {\n    if (shape == shapeDandelion) {\n     let rest = 1.0 - t;\n     let wave = abs(sin(3.14159265 * dandelionLobes * rest));\n     half_ = 0.5 * sqrt(rest) * (2.0 - rest - sqrt(0.5 * wave));\n    } else {\n     if (shape == shapeLeaf) {\n      let away = select((t - tipThreshold) / max(1.0 - tipThreshold, 1e-3), (tipThreshold - t) / max(tipThreshold, 1e-3), t < tipThreshold);\n      half_ = 0.5 - 0.5 * min(away * away, 1.0);\n     } else {\n      if (shape == shapeStalkLeaf) {\n       let before = max(1.0 - t / baseLength, 0.0);\n       half_ = (0.5 - 0.5 * max(t - tipThreshold, 0.0) / max(1.0 - tipThreshold, 1e-3)) * (1.0 - (1.0 - baseWidth) * before * before);\n      }\n     }\n    }\n   }\n  }\n }\n return vec2f(-half_, half_);\n}",
+  "fn momentsOfStalkLeaf(tipThreshold : f32) -> vec2f {\n let tau = tipThreshold;\n let lacks = 1.0 - baseWidth;\n let u = max(1.0 - tau / baseLength, 0.0);\n let taper = u * u * u * u * baseLength * baseLength / max(1.0 - tau, 1e-3);\n return vec2f(0.5 + 0.5 * tau - lacks * (baseLength / 3.0 - taper / 12.0), (1.0 + tau + tau * tau) / 6.0 - lacks * (baseLength * baseLength / 12.0 - taper * baseLength * (1.0 / 12.0 - 0.05 * u)));\n}",
+  "fn outlineArea(shape : u32, tipThreshold : f32) -> f32 {\n if (shape == shapeTriangleTip) {\n  return 0.5 + 0.5 * tipThreshold;\n }\n if (shape == shapeTriangle) {\n  return 0.5;\n }\n if (shape == shapeQuadratic || shape == shapeLeaf) {\n  return 2.0 / 3.0;\n }\n if (shape == shapeStalkLeaf) {\n  return momentsOfStalkLeaf(tipThreshold).x;\n }\n return select(1.0, 0.57268, shape == shapeDandelion);\n}",
+  "struct Outline {\n shape : u32,\n tipThreshold : f32,\n segments : f32,\n scale : f32,\n}",
+  "const exactSegments : f32 = 20.0;",
+  "fn innerWidths(shape : u32, tipThreshold : f32, segments : f32) -> f32 {\n if (shape == shapeTriangleTip) {\n  let first = floor(tipThreshold * segments) + 1.0;\n  let count = max(segments - first, 0.0);\n  let beyond = 0.5 * count * (first + segments - 1.0) / segments - tipThreshold * count;\n  return segments - 1.0 - beyond / max(1.0 - tipThreshold, 1e-3);\n }\n var sum = 0.0;\n for (var i = 1.0; i < segments; i += 1.0) {\n  let edges = outlineAt(shape, tipThreshold, i / segments);\n  sum += edges.y - edges.x;\n }\n return sum;\n}",
+  "fn outlineOf(shape : u32, tipThreshold : f32, segments : f32) -> Outline {\n var outline : Outline;\n outline.shape = shape;\n outline.tipThreshold = tipThreshold;\n outline.segments = segments;\n outline.scale = 1.0;\n if (segments < 1.5 || segments > exactSegments) {\n  return outline;\n }\n if (shape == shapeStalkLeaf && segments < 3.5) {\n  outline.shape = shapeTriangleTip;\n }\n let first = outlineAt(outline.shape, tipThreshold, 0.0);\n let last = outlineAt(outline.shape, tipThreshold, 1.0);\n let sum = 0.5 * (first.y - first.x + last.y - last.x) + innerWidths(outline.shape, tipThreshold, segments);\n outline.scale = outlineArea(shape, tipThreshold) * segments / sum;\n return outline;\n}",
+  "fn singleSegment(shape : u32, tipThreshold : f32) -> vec2f {\n if (shape == shapeTriangleTip) {\n  return vec2f(1.0 + tipThreshold - tipThreshold * tipThreshold, tipThreshold * tipThreshold);\n }\n if (shape == shapeTriangle) {\n  return vec2f(1.0, 0.0);\n }\n if (shape == shapeQuadratic) {\n  return vec2f(7.0 / 6.0, 1.0 / 6.0);\n }\n if (shape == shapeLeaf) {\n  let moment = 0.25 + tipThreshold * (1.0 / 6.0);\n  return vec2f(8.0 / 3.0 - 6.0 * moment, 6.0 * moment - 4.0 / 3.0);\n }\n if (shape == shapeStalkLeaf) {\n  let moments = momentsOfStalkLeaf(tipThreshold);\n  return vec2f(4.0 * moments.x - 6.0 * moments.y, 6.0 * moments.y - 2.0 * moments.x);\n }\n return select(vec2f(1.0), vec2f(0.64894, 0.49642), shape == shapeDandelion);\n}",
+  "fn edgesAt(outline : Outline, t : f32) -> vec2f {\n if (outline.segments < 1.5) {\n  let ends = singleSegment(outline.shape, outline.tipThreshold);\n  let half_ = 0.5 * mix(ends.x, ends.y, t);\n  return vec2f(-half_, half_);\n }\n return outline.scale * outlineAt(outline.shape, outline.tipThreshold, t);\n}",
+  "fn segmentsFor(v0 : vec3f, v1 : vec3f, v2 : vec3f, size : f32, shape : u32, heightPixels : f32, widthPixels : f32, most : f32) -> f32 {\n let stray = length(v0 - 2.0 * v1 + v2) * (heightPixels / max(size, 1e-9));\n let curve = ceil(sqrt(stray));\n if (shape == shapeDandelion && widthPixels > 2.0) {\n  return dandelionLobes * segmentsPerLobe;\n }\n var tip = select(select(1.0, 2.0, widthPixels > 1.0), 3.0, widthPixels > 3.0);\n if ((shape == shapeLeaf || shape == shapeStalkLeaf) && widthPixels > 3.0) {\n  tip = select(4.0, 8.0, widthPixels > 12.0);\n }\n return clamp(max(curve, tip), 1.0, max(most, 1.0));\n}",
+  "fn segmentsAt(steps : LevelSteps, distance_ : f32) -> f32 {\n var segments = steps.segments[0];\n for (var i = 1; i < 4; i++) {\n  if (u32(i) < steps.count && distance_ >= steps.distance_[i - 1]) {\n   segments = steps.segments[i];\n  }\n }\n return segments;\n}",
+  "fn widthFactorOf(visible : VisibleBlade) -> f32 {\n return unpack2x16float(visible.factors).x;\n}",
+  "fn heightFactorOf(visible : VisibleBlade) -> f32 {\n return unpack2x16float((visible.factors & heightFactorBits) | 0x3c000000u).y;\n}",
+  "@group(0) @binding(4) var<storage, read> states_ : array<u32>;",
+  "@group(0) @binding(11) var<storage, read> visible_ : array<VisibleBlade>;",
+  "const countQuads : u32 = 2u;",
+  "override onlyShape : u32 = shapeCount;",
+  "fn knownShape(shape : u32) -> u32 {\n return select(shape, onlyShape, onlyShape < shapeCount);\n}",
+  "fn placeOf(pages : vec2u, blade : u32) -> u32 {\n return blade;\n}",
+  "fn rowsOfColumn(height : u32) -> u32 {\n return (height + 3u) & ~3u;\n}",
+  "struct Ribbon {\n v0 : vec3f,\n v1 : vec3f,\n v2 : vec3f,\n axis : vec3f,\n width : f32,\n fold : f32,\n outline : Outline,\n seed : u32,\n}",
+  "struct CrossSection {\n left : vec3f,\n right : vec3f,\n ridge : vec3f,\n wide : f32,\n drawn : f32,\n}",
+  "fn foldOf(fold : f32, widthPixels : f32) -> f32 {\n return fold * smoothstep(2.0, 4.0, widthPixels);\n}",
+  "fn directionAt(ribbon : Ribbon, t : f32) -> vec3f {\n let tangent = bezierTangent(ribbon.v0, ribbon.v1, ribbon.v2, t);\n return select(ribbon.v1 - ribbon.v0, tangent, dot(tangent, tangent) > 1e-18);\n}",
+  "fn outwardsOf(across : vec3f, level : vec3f) -> vec3f {\n let square = dot(level, level);\n let unit = select(across, level * inverseSqrt(square), square > 1e-18);\n let upright = dot(unit, across);\n return across + upright / max(upright * upright, 0.25) * (unit - upright * across);\n}",
+  "fn crossSectionAt(ribbon : Ribbon, t : f32, eye : vec3f, minWidth : f32) -> CrossSection {\n let centre = bezierPoint(ribbon.v0, ribbon.v1, ribbon.v2, t);\n let direction = directionAt(ribbon, t);\n let edges = ribbon.width * edgesAt(ribbon.outline, t);\n var section : CrossSection;\n section.left = centre + edges.x * ribbon.axis;\n section.right = centre + edges.y * ribbon.axis;\n section.wide = edges.y - edges.x;\n section.drawn = section.wide;\n if (minWidth > 0.0) {\n  let half_ = 0.5 / max(ribbon.outline.segments, 1.0);\n  let chord = directionAt(ribbon, clamp(t, half_, 1.0 - half_));\n  let ray = centre - eye;\n  let distance_ = length(ray);\n  let side = cross(ray, chord);\n  let square = dot(side, side);\n  let across = select(ribbon.axis, side * inverseSqrt(square), square > 1e-12 * dot(ray, ray) * dot(chord, chord));\n  let seen = dot(ribbon.axis, across);\n  section.wide *= abs(seen);\n  section.drawn = max(section.wide, minWidth * distance_);\n  let outwards = outwardsOf(across, cross(ray, ribbon.v1 - ribbon.v0));\n  let grown = 0.5 * (section.drawn - section.wide) * select(1.0, -1.0, seen < 0.0) * outwards;\n  section.left -= grown;\n  section.right += grown;\n }\n section.ridge = 0.5 * (section.left + section.right);\n if (ribbon.fold > 0.0) {\n  section.ridge += 0.5 * ribbon.fold * (edges.y - edges.x) * normalize(cross(direction, ribbon.axis));\n }\n return section;\n}",
+  "fn marginBeside(width : f32, distance_ : f32, minWidth : f32) -> f32 {\n return 0.5 * outlineMost * width + sectionMargin(distance_, minWidth);\n}",
+  "struct DrawnBlade {\n ribbon : Ribbon,\n blade : Blade,\n species : Species,\n}",
+  "struct PosedLook {\n posed : PosedBlade,\n look : Species,\n number : u32,\n}",
+  "fn posedLook(blade : Blade, state : BladeState) -> PosedLook {\n var part = PosedLook(posedBlade(blade, state), fetch_species(blade.species), 0u);\n if (!mayHaveOrgans || part.look.organKinds == 0u) {\n  return part;\n }\n part.number = blade.clump;\n if (part.number > 0u) {\n  var within : u32;\n  let organ = fetch_organs(organOf(part.look, part.number, &within));\n  part.posed = posedRibbon(part.posed, organ, part.number, within);\n  part.look = organ.look;\n }\n part.posed.blade.clump = plantKey(blade) % driedClump;\n return part;\n}",
+  "fn segmentsOf(ribbon : Ribbon, height : f32, shape : u32, heightPixels : f32, widthPixels : f32) -> f32 {\n if (frameConstants_.fixedTessellation > 0.0) {\n  return clamp(frameConstants_.fixedTessellation, 1.0, 64.0);\n }\n if (frameConstants_.levelSteps.count > 0u) {\n  return segmentsAt(frameConstants_.levelSteps, length(ribbon.v0 - frameConstants_.view.eye));\n }\n return segmentsFor(ribbon.v0, ribbon.v1, ribbon.v2, height, shape, heightPixels, widthPixels, f32(frameConstants_.maxTessellation));\n}",
+  "fn drawnBlade(visible : VisibleBlade, part : PosedLook) -> DrawnBlade {\n let species = part.look;\n let posed = part.posed;\n var drawn : DrawnBlade;\n drawn.blade = posed.blade;\n drawn.species = species;\n let height = posed.blade.height;\n var ribbon : Ribbon;\n ribbon.v0 = posed.v0;\n ribbon.v1 = posed.v1;\n ribbon.v2 = posed.v2;\n ribbon.axis = posed.axis;\n ribbon.width = posed.blade.width * widthFactorOf(visible);\n let widthPixels = visible.pixels * ribbon.width / height;\n ribbon.fold = foldOf(species.fold, widthPixels);\n let shape = knownShape(species.shape);\n ribbon.outline = outlineOf(shape, species.tipThreshold, segmentsOf(ribbon, height, shape, visible.pixels, widthPixels));\n ribbon.seed = posed.blade.seed;\n drawn.ribbon = ribbon;\n return drawn;\n}",
+  "fn drawnBlade_2(visible : VisibleBlade, blade : Blade, state : BladeState) -> DrawnBlade {\n return drawnBlade(visible, posedLook(blade, state));\n}",
+  "fn stateOf_2(visible : VisibleBlade) -> BladeState {\n return BladeState(states_[placeOf(vec2u(), visible.blade)], 0.0);\n}",
+  "fn visibleBlade(visible : VisibleBlade) -> Blade {\n let blade = unpackBlade(blades_[placeOf(vec2u(), visible.blade)], patches_[visible.patchIndex]);\n return raised(blade, heightFactorOf(visible));\n}",
+  "fn drawnBlade_3(visible : VisibleBlade) -> DrawnBlade {\n return drawnBlade_2(visible, visibleBlade(visible), stateOf_2(visible));\n}",
+  "const samplesPerPixel : u32 = 4u;",
+  "const fourPlaces : array<vec2f, 4> = array<vec2f, 4>(vec2f(0.375, 0.125), vec2f(0.875, 0.375), vec2f(0.125, 0.625), vec2f(0.625, 0.875));",
+  "fn samplePlace(s : u32) -> vec2f {\n return fourPlaces[s];\n}",
+  "fn rowsBetween(low : f32, high : f32, edge : f32) -> vec2i {\n let uppermost = samplePlace(0u).y;\n let lowermost = samplePlace(samplesPerPixel - 1u).y;\n return vec2i(i32(max(ceil(low - lowermost), 0.0)), i32(min(floor(high - uppermost), edge - 1.0)));\n}",
+  "fn middleOf(covered : u32) -> vec2f {\n var sum = vec2f(0.0);\n for (var s = 0u; s < samplesPerPixel; s++) {\n  var t1_ : vec2f;\n  if ((covered & (1u << s)) != 0u) {\n   t1_ = samplePlace(s);\n  } else {\n   t1_ = vec2f(0.0);\n  }\n  sum += t1_;\n }\n return sum / f32(i32(countOneBits(covered)));\n}",
+  "fn upperHalf(i : f32, segments : f32) -> bool {\n return 2.0 * i > segments;\n}",
+  "struct Lens {\n viewProjection : mat4x4f,\n eye : vec3f,\n minWidth : f32,\n size : vec2f,\n}",
+  "fn lensOf() -> Lens {\n return Lens(frameConstants_.viewProjection, frameConstants_.view.eye, frameConstants_.view.minWidth, vec2f(push_.size));\n}",
+  "fn columnStride() -> u32 {\n return rowsOfColumn(push_.size.y) * samplesPerPixel;\n}",
+  "fn sampleIndex(pixel : vec2u, s : u32) -> u32 {\n return pixel.x * columnStride() + pixel.y * samplesPerPixel + s;\n}",
+  "@group(0) @binding(9) var<storage, read_write> seenSamples_ : array<atomic<u32>>;",
+  "fn putOne(index : u32, depth : f32, blade : u32) {\n let bits = bitcast<u32>(depth);\n if (push_.isIdPass == 0u) {\n  atomicMax(&seenSamples_[2u * index + 1u], bits);\n } else {\n  if (atomicLoad(&seenSamples_[2u * index + 1u]) == bits) {\n   atomicMax(&seenSamples_[2u * index], push_.firstBlade + blade);\n  }\n }\n}",
+  "fn putSmall(pixel : vec2u, covered : u32, depths : array<f32, 4>, blade : u32) {\n let first = sampleIndex(pixel, 0u);\n for (var s = 0u; s < samplesPerPixel; s++) {\n  if ((covered & (1u << s)) != 0u) {\n   putOne(first + s, depths[s], blade);\n  }\n }\n}",
+  "override mayFold : bool = true;",
+  "fn isFolded(ribbon : Ribbon) -> bool {\n return mayFold && ribbon.fold > 0.0;\n}",
+  "fn seenPoint(lens : Lens, position : vec3f) -> vec4f {\n let clip = lens.viewProjection * vec4f(position, 1.0);\n return vec4f((0.5 * clip.xy + 0.5 * clip.w) * lens.size, clip.z, clip.w);\n}",
+  "struct SeenSection {\n section : CrossSection,\n left : vec4f,\n right : vec4f,\n ridge : vec4f,\n}",
+  "fn seenSection(lens : Lens, ribbon : Ribbon, t : f32) -> SeenSection {\n var seen : SeenSection;\n seen.section = crossSectionAt(ribbon, t, lens.eye, lens.minWidth);\n seen.left = seenPoint(lens, seen.section.left);\n seen.right = seenPoint(lens, seen.section.right);\n seen.ridge = 0.5 * (seen.left + seen.right);\n if (isFolded(ribbon)) {\n  seen.ridge = seenPoint(lens, seen.section.ridge);\n }\n return seen;\n}",
+  "fn isBefore(seen : vec4f) -> bool {\n return seen.w <= 0.0 || seen.z > seen.w;\n}",
+  "fn trianglesOf(isFolded : bool) -> u32 {\n return select(2u, 4u, isFolded);\n}",
+  "struct TriangleOf {\n isRight : bool,\n endsAtRidge : bool,\n isSecond : bool,\n beginsRight : bool,\n endsLeft : bool,\n}",
+  "fn triangleOf(i : u32, isFolded : bool, isUpper : bool) -> TriangleOf {\n var part : TriangleOf;\n part.isRight = i >= 2u;\n part.endsAtRidge = isFolded && i < 2u;\n part.isSecond = (i & 1u) != 0u;\n part.beginsRight = part.isSecond && isUpper;\n part.endsLeft = part.isSecond || isUpper;\n return part;\n}",
+  "fn crossOf(a : vec2f, b : vec2f) -> f32 {\n return a.x * b.y - a.y * b.x;\n}",
+  "struct ScreenSection {\n left : vec3f,\n right : vec3f,\n ridge : vec3f,\n weight : vec2f,\n}",
+  "const subpixels : f32 = 256.0;",
+  "fn screenPoint(seen : vec4f) -> vec3f {\n let inverse = 1.0 / seen.w;\n return vec3f(round(seen.xy * (inverse * subpixels)) / subpixels, seen.z * inverse);\n}",
+  "fn screenSection(seen : SeenSection, isFolded : bool) -> ScreenSection {\n var screen : ScreenSection;\n screen.left = screenPoint(seen.left);\n screen.right = screenPoint(seen.right);\n screen.ridge = screen.left;\n if (isFolded) {\n  screen.ridge = screenPoint(seen.ridge);\n }\n screen.weight = vec2f(seen.section.wide, seen.section.drawn) / seen.ridge.w;\n return screen;\n}",
+  "struct Quad {\n a0 : vec3f,\n a1 : vec3f,\n b0 : vec3f,\n b1 : vec3f,\n weightA0 : vec2f,\n weightA1 : vec2f,\n weightB : vec2f,\n}",
+  "fn halvesOf(isFolded : bool) -> u32 {\n return select(1u, 2u, isFolded);\n}",
+  "fn halfOf(i : u32, before : ScreenSection, after : ScreenSection, isFolded : bool) -> Quad {\n let isRight = i > 0u;\n let endsAtRidge = isFolded && !isRight;\n return Quad(select(before.left, before.ridge, isRight), select(before.right, before.ridge, endsAtRidge), select(after.left, after.ridge, isRight), select(after.right, after.ridge, endsAtRidge), before.weight, before.weight, after.weight);\n}",
+  "fn triangleBetween(i : u32, before : ScreenSection, after : ScreenSection, isFolded : bool, isUpper : bool) -> Quad {\n let part = triangleOf(i, isFolded, isUpper);\n let whole = halfOf(i / 2u, before, after, isFolded);\n var quad : Quad;\n quad.a0 = select(whole.a0, whole.b1, part.isSecond);\n quad.a1 = select(whole.a1, whole.b0, part.isSecond);\n quad.b0 = select(select(whole.b1, whole.b0, part.endsLeft), select(whole.a0, whole.a1, part.beginsRight), part.isSecond);\n quad.b1 = quad.b0;\n quad.weightA0 = select(before.weight, after.weight, part.isSecond);\n quad.weightA1 = quad.weightA0;\n quad.weightB = select(after.weight, before.weight, part.isSecond);\n return quad;\n}",
+  "fn isConvex(quad : Quad) -> bool {\n let a = quad.a1.xy - quad.a0.xy;\n let b = quad.b1.xy - quad.a1.xy;\n let c = quad.b0.xy - quad.b1.xy;\n let d = quad.a0.xy - quad.b0.xy;\n let turns = vec4f(crossOf(a, b), crossOf(b, c), crossOf(c, d), crossOf(d, a));\n return all(turns >= vec4f(0.0)) || all(turns <= vec4f(0.0));\n}",
+  "struct Corner {\n seen : vec4f,\n widths : vec2f,\n}",
+  "fn cutBetween(a : Corner, b : Corner) -> Corner {\n let depthA = a.seen.w - a.seen.z;\n let depthB = b.seen.w - b.seen.z;\n let share = depthA / (depthA - depthB);\n return Corner(mix(a.seen, b.seen, share), mix(a.widths, b.widths, share));\n}",
+  "fn behindNear(a : Corner, b : Corner, c : Corner, quad : ptr<function, Quad>) -> bool {\n let lost = u32(isBefore(a.seen)) + u32(isBefore(b.seen)) + u32(isBefore(c.seen));\n if (lost == 3u) {\n  return false;\n }\n let isLost = lost == 1u;\n var first = a;\n var second = b;\n var third = c;\n if (isBefore(b.seen) == isLost && lost > 0u) {\n  first = b;\n  second = c;\n  third = a;\n } else {\n  if (isBefore(c.seen) == isLost && lost > 0u) {\n   first = c;\n   second = a;\n   third = b;\n  }\n }\n var fourth = third;\n if (lost == 1u) {\n  fourth = cutBetween(first, third);\n  first = cutBetween(first, second);\n } else {\n  if (lost == 2u) {\n   second = cutBetween(first, second);\n   third = cutBetween(first, third);\n   fourth = third;\n  }\n }\n (*quad).a0 = screenPoint(first.seen);\n (*quad).a1 = screenPoint(second.seen);\n (*quad).b1 = screenPoint(third.seen);\n (*quad).b0 = screenPoint(fourth.seen);\n (*quad).weightA0 = first.widths / first.seen.w;\n (*quad).weightA1 = second.widths / second.seen.w;\n (*quad).weightB = 0.5 * (third.widths / third.seen.w + fourth.widths / fourth.seen.w);\n return true;\n}",
+  "fn triangleBehindNear(i : u32, before : SeenSection, after : SeenSection, isFolded : bool, isUpper : bool, quad : ptr<function, Quad>) -> bool {\n let part = triangleOf(i, isFolded, isUpper);\n let first = vec2f(before.section.wide, before.section.drawn);\n let second = vec2f(after.section.wide, after.section.drawn);\n let a = Corner(select(before.left, before.ridge, part.isRight), first);\n let b = Corner(select(before.right, before.ridge, part.endsAtRidge), first);\n let c = Corner(select(after.left, after.ridge, part.isRight), second);\n let d = Corner(select(after.right, after.ridge, part.endsAtRidge), second);\n var t1_ : Corner;\n if (part.beginsRight) {\n  t1_ = b;\n } else {\n  t1_ = a;\n }\n var t2_ : Corner;\n if (part.isSecond) {\n  t2_ = d;\n } else {\n  t2_ = b;\n }\n var t3_ : Corner;\n if (part.endsLeft) {\n  t3_ = c;\n } else {\n  t3_ = d;\n }\n return behindNear(t1_, t2_, t3_, quad);\n}",
+  "struct Sides {\n leftPlaces : vec4f,\n leftSlopes : vec4f,\n rightPlaces : vec4f,\n rightSlopes : vec4f,\n}",
+  "fn sidesOf(p0 : vec2f, p1 : vec2f, p2 : vec2f, p3 : vec2f, area : f32) -> Sides {\n let xs = vec4f(p0.x, p1.x, p2.x, p3.x);\n let ys = vec4f(p0.y, p1.y, p2.y, p3.y);\n let rises = ys.yzwx - ys;\n let slopes = (xs.yzwx - xs) / select(rises, vec4f(1.0), rises == vec4f(0.0));\n let places = xs + (p0.y - ys) * slopes;\n let turned = select(rises, -rises, area < 0.0);\n let lefts = turned < vec4f(0.0);\n let rights = turned > vec4f(0.0);\n return Sides(select(vec4f(-1e30), places, lefts), select(vec4f(0.0), slopes, lefts), select(vec4f(1e30), places, rights), select(vec4f(0.0), slopes, rights));\n}",
+  "fn between(from_ : vec4f, to : vec4f) -> vec2f {\n return vec2f(max(max(from_.x, from_.y), max(from_.z, from_.w)), min(min(to.x, to.y), min(to.z, to.w)));\n}",
+  "fn intervalAt(sides : Sides, below : f32) -> vec2f {\n return between(sides.leftPlaces + below * sides.leftSlopes, sides.rightPlaces + below * sides.rightSlopes);\n}",
+  "fn isThin(quad : Quad) -> bool {\n return quad.weightA0.x < quad.weightA0.y || quad.weightA1.x < quad.weightA1.y || quad.weightB.x < quad.weightB.y;\n}",
+  "fn drawSmall(quad : Quad, mask : SampleMask, blade : u32) {\n let p0 = quad.a0.xy;\n let p1 = quad.a1.xy;\n let p2 = quad.b1.xy;\n let p3 = quad.b0.xy;\n let low = min(min(p0, p1), min(p2, p3));\n let high = max(max(p0, p1), max(p2, p3));\n let edge = vec2f(push_.size);\n let middle = 0.5 * (quad.b0 + quad.b1);\n let across = p1 - p0;\n let along = middle.xy - p0;\n let area = crossOf(across, along);\n if (high.x < 0.0 || high.y < 0.0 || low.x > edge.x || low.y > edge.y || area == 0.0) {\n  return;\n }\n let sStep = vec2f(along.y, -along.x) / area;\n let tStep = vec2f(-across.y, across.x) / area;\n let depthStep = sStep * (quad.a1.z - quad.a0.z) + tStep * (middle.z - quad.a0.z);\n let shallowest = max(max(quad.a0.z, quad.a1.z), max(quad.b0.z, quad.b1.z));\n let deepest = min(min(quad.a0.z, quad.a1.z), min(quad.b0.z, quad.b1.z));\n let mayBeThin = isThin(quad);\n let keepsFirst = quad.weightA0.x - (1.0 - mask.threshold) * quad.weightA0.y;\n let keepsLast = quad.weightB.x - (1.0 - mask.threshold) * quad.weightB.y;\n let sides = sidesOf(p0, p1, p2, p3, area);\n let rows = rowsBetween(low.y, high.y, edge.y);\n for (var row = rows.x; row <= rows.y; row++) {\n  var spans : array<vec2f, 4>;\n  var widest = vec2f(1e30, -1e30);\n  for (var s = 0u; s < samplesPerPixel; s++) {\n   let place = samplePlace(s);\n   let y = f32(row) + place.y;\n   spans[s] = intervalAt(sides, y - p0.y) - place.x;\n   if (y < low.y || y > high.y) {\n    spans[s] = vec2f(1e30, -1e30);\n   }\n   widest = vec2f(min(widest.x, spans[s].x), max(widest.y, spans[s].y));\n  }\n  if (widest.x > widest.y) {\n   continue;\n  }\n  let left = i32(max(ceil(widest.x), 0.0));\n  let right = i32(min(floor(widest.y), edge.x - 1.0));\n  for (var column = left; column <= right; column++) {\n   var covered = 0u;\n   for (var s = 0u; s < samplesPerPixel; s++) {\n    if (f32(column) >= spans[s].x && f32(column) <= spans[s].y) {\n     covered |= 1u << s;\n    }\n   }\n   if (covered == 0u) {\n    continue;\n   }\n   let corner = vec2f(f32(column), f32(row)) - p0;\n   if (mayBeThin) {\n    let t = dot(corner + middleOf(covered), tStep);\n    let weight = mix(quad.weightA0, quad.weightB, clamp(t, 0.0, 1.0));\n    covered &= keptBits(mask, weight.x / max(weight.y, 1e-12));\n   }\n   var depths : array<f32, 4>;\n   for (var s = 0u; s < samplesPerPixel; s++) {\n    depths[s] = clamp(quad.a0.z + dot(corner + samplePlace(s), depthStep), deepest, shallowest);\n   }\n   putSmall(vec2u(u32(column), u32(row)), covered, depths, blade);\n  }\n }\n}",
+  "const quadBits : u32 = 18u;",
+  "const maxQuads : u32 = 1u << quadBits;",
+  "const noRowBlock : u32 = 0xffffffffu;",
+  "const rowsOfBlock : u32 = 8u;",
+  "@group(0) @binding(17) var<storage, read_write> quads_ : array<vec4f>;",
+  "@group(0) @binding(18) var<storage, read_write> rowBlocks_ : array<u32>;",
+  "const alonePixels : f32 = 64.0;",
+  "fn lowOf(quad : Quad) -> vec2f {\n return min(min(quad.a0.xy, quad.a1.xy), min(quad.b0.xy, quad.b1.xy));\n}",
+  "fn highOf(quad : Quad) -> vec2f {\n return max(max(quad.a0.xy, quad.a1.xy), max(quad.b0.xy, quad.b1.xy));\n}",
+  "fn listQuad(quad : Quad, rows : vec2i, seed : u32, blade : u32) -> bool {\n let blocks = (u32(rows.y - rows.x) + rowsOfBlock) / rowsOfBlock;\n let slot = atomicAdd(&counters_[countQuads], 1u);\n let first = atomicAdd(&counters_[countRows], blocks);\n let hasRoom = slot < maxQuads && first + blocks <= maxRowBlocks;\n for (var i = 0u; i < blocks && first + i < maxRowBlocks; i++) {\n  rowBlocks_[first + i] = select(noRowBlock, slot | (i << quadBits), hasRoom);\n }\n if (!hasRoom) {\n  return false;\n }\n quads_[5u * slot] = vec4f(quad.a0, quad.weightA0.x);\n quads_[5u * slot + 1u] = vec4f(quad.a1, quad.weightA0.y);\n quads_[5u * slot + 2u] = vec4f(quad.b0, quad.weightA1.x);\n quads_[5u * slot + 3u] = vec4f(quad.b1, quad.weightA1.y);\n quads_[5u * slot + 4u] = vec4f(quad.weightB, bitcast<f32>(blade), bitcast<f32>(seed));\n return true;\n}",
+  "fn drawQuad(quad : Quad, mask : SampleMask, seed : u32, blade : u32) {\n let edge = vec2f(push_.size);\n let low = lowOf(quad);\n let high = highOf(quad);\n let rows = rowsBetween(low.y, high.y, edge.y);\n let wide = min(high.x, edge.x) - max(low.x, 0.0);\n if (wide < 0.0 || rows.y < rows.x) {\n  return;\n }\n if (wide * f32(rows.y - rows.x + 1) > alonePixels) {\n  let haveRoom = atomicLoad(&counters_[countQuads]) <= maxQuads && atomicLoad(&counters_[countRows]) <= maxRowBlocks;\n  var t1_ : bool;\n  if (push_.isIdPass == 0u) {\n   t1_ = listQuad(quad, rows, seed, blade);\n  } else {\n   t1_ = haveRoom;\n  }\n  if (t1_) {\n   return;\n  }\n }\n drawSmall(quad, mask, blade);\n}",
+  "fn drawCut(lens : Lens, ribbon : Ribbon, blade : u32) {\n let segments = ribbon.outline.segments;\n let hasRidge = isFolded(ribbon);\n let mask = sampleMaskOf(ribbon.seed, samplesPerPixel);\n for (var segment = 1.0; segment <= segments; segment += 1.0) {\n  let before = seenSection(lens, ribbon, (segment - 1.0) / segments);\n  let after = seenSection(lens, ribbon, segment / segments);\n  for (var i = 0u; i < trianglesOf(hasRidge); i++) {\n   var quad : Quad;\n   if (triangleBehindNear(i, before, after, hasRidge, upperHalf(segment, segments), &quad)) {\n    drawQuad(quad, mask, ribbon.seed, blade);\n   }\n  }\n }\n}",
+  "fn drawWhole(lens : Lens, ribbon : Ribbon, blade : u32) {\n let hasRidge = isFolded(ribbon);\n let segments = ribbon.outline.segments;\n let mask = sampleMaskOf(ribbon.seed, samplesPerPixel);\n var before = screenSection(seenSection(lens, ribbon, 0.0), hasRidge);\n var segment = 1.0;\n var part = 0u;\n while (segment <= segments) {\n  let after = screenSection(seenSection(lens, ribbon, segment / segments), hasRidge);\n  var isTwisted = false;\n  for (var i = 0u; i < halvesOf(hasRidge); i++) {\n   isTwisted = isTwisted || !isConvex(halfOf(i, before, after, hasRidge));\n  }\n  var t1_ : Quad;\n  if (isTwisted) {\n   t1_ = triangleBetween(part, before, after, hasRidge, upperHalf(segment, segments));\n  } else {\n   t1_ = halfOf(part, before, after, hasRidge);\n  }\n  let quad = t1_;\n  part++;\n  var t2_ : u32;\n  if (isTwisted) {\n   t2_ = trianglesOf(hasRidge);\n  } else {\n   t2_ = halvesOf(hasRidge);\n  }\n  if (part >= t2_) {\n   before = after;\n   segment += 1.0;\n   part = 0u;\n  }\n  drawQuad(quad, mask, ribbon.seed, blade);\n }\n}",
+  "@compute @workgroup_size(64, 1, 1)\nfn main(@builtin(workgroup_id) WorkGroupID_ : vec3u, @builtin(local_invocation_index) LocalInvocationIndex_ : u32) {\n let place = (WorkGroupID_.y * groupsOfRow + WorkGroupID_.x) * 64u + LocalInvocationIndex_;\n if (place >= min(atomicLoad(&counters_[countBlades]), push_.capacity)) {\n  return;\n }\n let lens = lensOf();\n let drawn = drawnBlade_3(visible_[place]);\n let ribbon = drawn.ribbon;\n let margin = marginBeside(ribbon.width, length(ribbon.v0 - lens.eye) + drawn.blade.height, lens.minWidth);\n if (curveInside(frameConstants_.view.planes[4], ribbon.v0, ribbon.v1, ribbon.v2, margin)) {\n  drawWhole(lens, ribbon, place);\n } else {\n  drawCut(lens, ribbon, place);\n }\n}",
+  "fn depthAt(index : u32) -> u32 {\n return atomicLoad(&seenSamples_[2u * index + 1u]);\n}",
+  "fn depthsAt(index : u32) -> vec2u {\n return vec2u(depthAt(index), depthAt(index + 1u));\n}",
+  "struct Span {\n xs : vec4f,\n ys : vec4f,\n slopes : vec4f,\n depth : vec3f,\n deepest : f32,\n shallowest : f32,\n isThin : bool,\n wide : vec3f,\n drawn : vec3f,\n}",
+  "fn linearIn(steps : mat2x2f, a0 : f32, a1 : f32, b : f32) -> vec3f {\n return vec3f(a0, steps * vec2f(a1 - a0, b - a0));\n}",
+  "fn spanOfQuad(quad : Quad, mayBeThin : bool, span : ptr<function, Span>) -> bool {\n (*span).xs = vec4f(quad.a0.x, quad.a1.x, quad.b1.x, quad.b0.x);\n (*span).ys = vec4f(quad.a0.y, quad.a1.y, quad.b1.y, quad.b0.y);\n (*span).slopes = ((*span).xs.yzwx - (*span).xs) / ((*span).ys.yzwx - (*span).ys);\n let middle = 0.5 * (quad.b0 + quad.b1);\n let across = quad.a1.xy - quad.a0.xy;\n let along = middle.xy - quad.a0.xy;\n let area = crossOf(across, along);\n let steps = mat2x2f(along.y, -along.x, -across.y, across.x) * (1.0 / area);\n (*span).depth = linearIn(steps, quad.a0.z, quad.a1.z, middle.z);\n (*span).deepest = min(min(quad.a0.z, quad.a1.z), min(quad.b0.z, quad.b1.z));\n (*span).shallowest = max(max(quad.a0.z, quad.a1.z), max(quad.b0.z, quad.b1.z));\n (*span).isThin = mayBeThin;\n (*span).wide = linearIn(steps, quad.weightA0.x, quad.weightA1.x, quad.weightB.x);\n (*span).drawn = linearIn(steps, quad.weightA0.y, quad.weightA1.y, quad.weightB.y);\n return area != 0.0;\n}",
+  "fn crossingsOf(span : Span, y : f32) -> vec2f {\n let places = span.xs + (y - span.ys) * span.slopes;\n let isAbove = span.ys <= vec4f(y);\n let isMet = isAbove != isAbove.yzwx;\n let from_ = select(vec4f(1e30), places, isMet);\n let to = select(vec4f(-1e30), places, isMet);\n return vec2f(min(min(from_.x, from_.y), min(from_.z, from_.w)), max(max(to.x, to.y), max(to.z, to.w)));\n}",
+  "fn spanOf(span : Span, mask : SampleMask, s : u32, row : i32) -> vec2f {\n let place = samplePlace(s) + vec2f(0.0, f32(row));\n let crossings = crossingsOf(span, place.y) - place.x;\n var ends = vec2f(max(ceil(crossings.x), 0.0), min(floor(crossings.y), f32(push_.size.x) - 1.0));\n if (span.isThin) {\n  let turn = (s + samplesPerPixel - mask.first) % samplesPerPixel;\n  let least = (f32(turn + 1u) - mask.threshold) / f32(samplesPerPixel);\n  let keeps = span.wide - least * span.drawn;\n  let atLeft = keeps.x + dot(place - vec2f(span.xs.x, span.ys.x), keeps.yz);\n  let zero = -atLeft / keeps.y;\n  if (keeps.y > 0.0) {\n   ends.x = max(ends.x, ceil(zero));\n  } else {\n   if (keeps.y < 0.0) {\n    ends.y = min(ends.y, floor(zero));\n   } else {\n    if (atLeft < 0.0) {\n     ends.y = -1.0;\n    }\n   }\n  }\n }\n return ends;\n}",
+  "const pixelsTogether : u32 = 4u;",
+  "fn drawRow(span : Span, blade : u32, seed : u32, row : i32) {\n let mask = sampleMaskOf(seed, samplesPerPixel);\n var spans : array<vec2f, 4>;\n var reach = vec2f(1e30, -1.0);\n for (var s = 0u; s < samplesPerPixel; s++) {\n  spans[s] = spanOf(span, mask, s, row);\n  reach = vec2f(min(reach.x, spans[s].x), max(reach.y, spans[s].y));\n }\n if (reach.x > reach.y) {\n  return;\n }\n var first = sampleIndex(vec2u(u32(reach.x), u32(row)), 0u);\n let depth = span.depth.x + dot(vec2f(reach.x, f32(row)) - vec2f(span.xs.x, span.ys.x), span.depth.yz);\n {\n  var begin = 0.0;\n  loop {\n   if (!(begin <= reach.y - reach.x)) { break; }\n   let here = depth + begin * span.depth.y;\n   var before : array<u32, 16>;\n   for (var i = 0u; i < pixelsTogether; i++) {\n    let pixel = first + i * columnStride();\n    let isTested = begin + f32(i) <= reach.y - reach.x;\n    {\n     if (isTested) {\n      for (var s = 0u; s < samplesPerPixel; s += 2u) {\n       let two = depthsAt(pixel + s);\n       before[i * samplesPerPixel + s] = two.x;\n       before[i * samplesPerPixel + s + 1u] = two.y;\n      }\n     }\n    }\n   }\n   for (var i = 0u; i < pixelsTogether; i++) {\n    for (var s = 0u; s < samplesPerPixel; s++) {\n     let own = clamp(here + dot(samplePlace(s) + vec2f(f32(i), 0.0), span.depth.yz), span.deepest, span.shallowest);\n     let column = reach.x + begin + f32(i);\n     if (column >= spans[s].x && column <= spans[s].y && bitcast<u32>(own) >= before[i * samplesPerPixel + s]) {\n      putOne(first + i * columnStride() + s, own, blade);\n     }\n    }\n   }\n   continuing {\n    begin += f32(pixelsTogether);\n    first += pixelsTogether * columnStride();\n   }\n  }\n }\n}",
+  "@group(0) @binding(17) var<storage, read> quads_ : array<vec4f>;",
+  "@group(0) @binding(18) var<storage, read> rowBlocks_ : array<u32>;",
+  "@compute @workgroup_size(64, 1, 1)\nfn main(@builtin(workgroup_id) WorkGroupID_ : vec3u, @builtin(local_invocation_index) LocalInvocationIndex_ : u32) {\n let place = (WorkGroupID_.y * groupsOfRow + WorkGroupID_.x) * rowBlocksOfGroup + LocalInvocationIndex_ / rowsOfBlock;\n if (place >= min(counters_[countRows], maxRowBlocks)) {\n  return;\n }\n let listed = rowBlocks_[place];\n if (listed == noRowBlock) {\n  return;\n }\n let slot = listed & (maxQuads - 1u);\n let a = quads_[5u * slot];\n let b = quads_[5u * slot + 1u];\n let c = quads_[5u * slot + 2u];\n let d = quads_[5u * slot + 3u];\n let e = quads_[5u * slot + 4u];\n let quad = Quad(a.xyz, b.xyz, c.xyz, d.xyz, vec2f(a.w, b.w), vec2f(c.w, d.w), e.xy);\n let rows = rowsBetween(min(min(a.y, b.y), min(c.y, d.y)), max(max(a.y, b.y), max(c.y, d.y)), f32(push_.size.y));\n let row = rows.x + i32((listed >> quadBits) * rowsOfBlock + LocalInvocationIndex_ % rowsOfBlock);\n var span : Span;\n if (row <= rows.y && spanOfQuad(quad, isThin(quad), &span)) {\n  drawRow(span, bitcast<u32>(e.z), bitcast<u32>(e.w), row);\n }\n}",
+  "@group(0) @binding(13) var<storage, read> arguments_ : array<u32>;",
+  "const bladeShadowSegments : u32 = 8u;",
+  "const samplesPerPixel : u32 = 1u;",
+  "fn samplePlace(s : u32) -> vec2f {\n return vec2f(0.5);\n}",
+  "fn drawSmall(quad : Quad, mask : SampleMask, blade : u32) {\n let p0 = quad.a0.xy;\n let p1 = quad.a1.xy;\n let p2 = quad.b1.xy;\n let p3 = quad.b0.xy;\n let low = min(min(p0, p1), min(p2, p3));\n let high = max(max(p0, p1), max(p2, p3));\n let edge = vec2f(push_.size);\n let middle = 0.5 * (quad.b0 + quad.b1);\n let across = p1 - p0;\n let along = middle.xy - p0;\n let area = crossOf(across, along);\n if (high.x < 0.0 || high.y < 0.0 || low.x > edge.x || low.y > edge.y || area == 0.0) {\n  return;\n }\n let sStep = vec2f(along.y, -along.x) / area;\n let tStep = vec2f(-across.y, across.x) / area;\n let depthStep = sStep * (quad.a1.z - quad.a0.z) + tStep * (middle.z - quad.a0.z);\n let shallowest = max(max(quad.a0.z, quad.a1.z), max(quad.b0.z, quad.b1.z));\n let deepest = min(min(quad.a0.z, quad.a1.z), min(quad.b0.z, quad.b1.z));\n let mayBeThin = isThin(quad);\n let keepsFirst = quad.weightA0.x - (1.0 - mask.threshold) * quad.weightA0.y;\n let keepsLast = quad.weightB.x - (1.0 - mask.threshold) * quad.weightB.y;\n let sides = sidesOf(p0, p1, p2, p3, area);\n let rows = rowsBetween(low.y, high.y, edge.y);\n for (var row = rows.x; row <= rows.y; row++) {\n  var spans : array<vec2f, 1>;\n  var widest = vec2f(1e30, -1e30);\n  for (var s = 0u; s < samplesPerPixel; s++) {\n   let place = samplePlace(s);\n   let y = f32(row) + place.y;\n   spans[s] = intervalAt(sides, y - p0.y) - place.x;\n   widest = vec2f(min(widest.x, spans[s].x), max(widest.y, spans[s].y));\n  }\n  if (widest.x > widest.y) {\n   continue;\n  }\n  let left = i32(max(ceil(widest.x), 0.0));\n  let right = i32(min(floor(widest.y), edge.x - 1.0));\n  {\n   let corner = vec2f(f32(left), f32(row)) + samplePlace(0u) - p0;\n   var depth = quad.a0.z + dot(corner, depthStep);\n   var t = dot(corner, tStep);\n   for (var column = left; column <= right; column++) {\n    if (keepsFirst + clamp(t, 0.0, 1.0) * (keepsLast - keepsFirst) >= 0.0) {\n     putOne(sampleIndex(vec2u(u32(column), u32(row)), 0u), clamp(depth, deepest, shallowest), blade);\n    }\n    depth += depthStep.x;\n    t += tStep.x;\n   }\n   continue;\n  }\n }\n}",
+  "fn drawBlade(lens : Lens, patchIndex : u32, cell : Patch, limit : LeafAreaLimit, i : u32) {\n let index = cell.firstBlade + i;\n var turn = states_[index];\n turn = select(turn, 0u, turn == unsettledTurn);\n let part = posedLook(raised(unpackBlade(blades_[index], cell), limit.height), BladeState(turn, 0.0));\n let size = drawnSize(frameConstants_.view, limit, part.posed.blade, bladeRank(cell, i - min(part.number, i)), length(part.posed.blade.root - frameConstants_.view.eye));\n if (size.widthFactor <= 0.0) {\n  return;\n }\n let margin = 0.5 * outlineMost * part.posed.blade.width * size.widthFactor;\n var outside = false;\n for (var side = 0u; side < 4u; side++) {\n  outside = outside || curveOutside(frameConstants_.view.planes[side], part.posed.v0, part.posed.v1, part.posed.v2, margin);\n }\n if (outside) {\n  return;\n }\n let blade = VisibleBlade(index, patchIndex, packFactors(size.widthFactor, limit.height), size.pixels);\n var ribbon = drawnBlade(blade, part).ribbon;\n ribbon.fold = 0.0;\n ribbon.outline = outlineOf(ribbon.outline.shape, ribbon.outline.tipThreshold, f32(bladeShadowSegments));\n let each = 1.0 / f32(bladeShadowSegments);\n let mask = sampleMaskOf(ribbon.seed, 1u);\n var before = screenSection(seenSection(lens, ribbon, 0.0), false);\n for (var segment = 0u; segment < bladeShadowSegments; segment++) {\n  let after = screenSection(seenSection(lens, ribbon, f32(segment + 1u) * each), false);\n  let whole = halfOf(0u, before, after, false);\n  let isTwisted = !isConvex(whole);\n  for (var half_ = 0u; half_ < select(1u, 2u, isTwisted); half_++) {\n   var quad = whole;\n   if (isTwisted) {\n    quad = triangleBetween(half_, before, after, false, 2u * segment >= bladeShadowSegments);\n   }\n   drawSmall(quad, mask, ribbon.seed);\n  }\n  before = after;\n }\n}",
+  "@compute @workgroup_size(64, 1, 1)\nfn main(@builtin(workgroup_id) WorkGroupID_ : vec3u, @builtin(local_invocation_index) LocalInvocationIndex_ : u32) {\n let place = WorkGroupID_.y * groupsOfRow + WorkGroupID_.x;\n if (place >= arguments_[argumentsPatches + 3u]) {\n  return;\n }\n let item = visiblePatches_[place];\n let cell = patches_[item.patchIndex];\n let limit = leafAreaLimitOf(frameConstants_.view, cell);\n let lens = lensOf();\n for (var i = LocalInvocationIndex_; i < item.count; i += 64u) {\n  drawBlade(lens, item.patchIndex, cell, limit, i);\n }\n}",
+  "@group(0) @binding(9) var<storage, read_write> seenSamples_ : array<atomic<vec2u>>;",
+  "fn putOne(index : u32, depth : f32, blade : u32) {\n atomicStoreMax(&seenSamples_[index], vec2u(push_.firstBlade + blade, bitcast<u32>(depth)));\n}",
+  "fn depthAt(index : u32) -> u32 {\n return 0u;\n}",
+  "@group(0) @binding(9) var<storage, read_write> seenSamples_ : array<vec2u>;",
+  "@group(0) @binding(19) var<storage, read_write> cellBits_ : array<atomic<u32>>;",
+  "@group(0) @binding(20) var groundDepth_ : texture_depth_multisampled_2d;",
+  "const nearestBits : u32 = 0x3f800000u;",
+  "var<workgroup> ofFirst : array<atomic<u32>, 16>;",
+  "var<workgroup> ofSecond : atomic<u32>;",
+  "fn putCell(level : u32, cell : vec2u, bits : u32) {\n if (level < push_.pyramid.levels) {\n  atomicMin(&cellBits_[push_.pyramid.first[level].x + cell.y * pyramidCells(push_.pyramid.size.x, level) + cell.x], bits);\n }\n}",
+  "@compute @workgroup_size(16, 16, 1)\nfn main(@builtin(workgroup_id) WorkGroupID_ : vec3u, @builtin(local_invocation_id) LocalInvocationID_ : vec3u, @builtin(local_invocation_index) LocalInvocationIndex_ : u32, @builtin(global_invocation_id) GlobalInvocationID_ : vec3u) {\n let pixel = GlobalInvocationID_.xy;\n let thread = LocalInvocationIndex_;\n if (thread < 16u) {\n  atomicStore(&ofFirst[thread], nearestBits);\n }\n if (thread == 0u) {\n  atomicStore(&ofSecond, nearestBits);\n }\n workgroupBarrier();\n if (all(pixel < push_.size)) {\n  let first = sampleIndex(pixel, 0u);\n  var farthest = nearestBits;\n  for (var s = 0u; s < samplesPerPixel; s++) {\n   let bits = bitcast<u32>(textureLoad(groundDepth_, vec2i(pixel), i32(s)));\n   seenSamples_[first + s] = vec2u(0u, bits);\n   farthest = min(farthest, bits);\n  }\n  let cell = LocalInvocationID_.xy / 4u;\n  atomicMin(&ofFirst[cell.y * 4u + cell.x], farthest);\n }\n workgroupBarrier();\n if (thread < 16u) {\n  let cell = WorkGroupID_.xy * 4u + vec2u(thread % 4u, thread / 4u);\n  if (all(cell < vec2u(pyramidCells(push_.size.x, 0u), pyramidCells(push_.size.y, 0u)))) {\n   putCell(0u, cell, atomicLoad(&ofFirst[thread]));\n  }\n  atomicMin(&ofSecond, atomicLoad(&ofFirst[thread]));\n }\n workgroupBarrier();\n if (thread > 0u) {\n  return;\n }\n let bits = atomicLoad(&ofSecond);\n for (var level = 1u; level < push_.pyramid.levels; level++) {\n  putCell(level, WorkGroupID_.xy >> vec2u(pyramidFactorBits * (level - 1u)), bits);\n }\n}",
+  "const bladeShadowFade : f32 = 0.75;",
+  "fn isShaded(texel : vec2u, depth : f32, seed : u32) -> bool {\n return texel.x != seed && bitcast<f32>(texel.y) > depth;\n}",
+  "fn sunAmongBlades(shadow : BladeShadow, place : vec3f, seed : u32) -> vec2f {\n if (shadow.size == 0u) {\n  return vec2f(1.0, 0.0);\n }\n let at4 = vec4f(place, 1.0);\n let at = vec2f(dot(shadow.across, at4), dot(shadow.down, at4)) - 0.5;\n let depth = max(dot(shadow.depth, at4) + shadow.nearer, 0.0);\n let edge = 0.5 * f32(shadow.size);\n let off = abs(at + 0.5 - edge) / edge;\n let weight = 1.0 - smoothstep(bladeShadowFade, 1.0, max(off.x, off.y));\n if (weight <= 0.0) {\n  return vec2f(1.0, 0.0);\n }\n let corner = floor(at);\n let f = at - corner;\n let last = shadow.size - 2u;\n let column = min(u32(max(corner.x, 0.0)), last);\n let row = min(u32(max(corner.y, 0.0)), last);\n let first = column * shadow.size + row;\n let lit00 = select(1.0, 0.0, isShaded(map_[first], depth, seed));\n let lit01 = select(1.0, 0.0, isShaded(map_[first + 1u], depth, seed));\n let lit10 = select(1.0, 0.0, isShaded(map_[first + shadow.size], depth, seed));\n let lit11 = select(1.0, 0.0, isShaded(map_[first + shadow.size + 1u], depth, seed));\n return vec2f(mix(mix(lit00, lit01, f.y), mix(lit10, lit11, f.y), f.x), weight);\n}",
+  "const heightSteps : u32 = 16u;",
+  "const toneBits : u32 = 0x80038000u;",
+  "fn unpackGrass(corner : u32) -> vec3f {\n let grass = unpack2x16float(corner & ~toneBits);\n let step_ = ((corner >> 16u) & 3u) | ((corner >> 13u) & 4u) | ((corner >> 28u) & 8u);\n return vec3f(grass.x, grass.y, grass.x * f32(step_) * (1.0 / 15.0));\n}",
+  "fn mixGrass(a : u32, b : u32, share : f32) -> vec3f {\n return mix(unpackGrass(a), unpackGrass(b), share);\n}",
+  "fn grassAt(cover : Cover, position : vec3f) -> vec3f {\n if (cover.countX == 0u) {\n  return vec3f(0.0);\n }\n let last = vec3f(f32(cover.countX), f32(cover.countY), f32(cover.countZ)) - 1.0;\n let place = clamp((position - cover.low) * cover.cellsPerMetre, vec3f(0.0), last);\n let cell = min(floor(place), last - 1.0);\n let f = place - cell;\n let stepY = cover.countX;\n let stepZ = cover.countX * cover.countY;\n let i = u32(cell.x) + stepY * u32(cell.y) + stepZ * u32(cell.z);\n let j = i + stepZ;\n let near = mix(mixGrass(grass_[i], grass_[i + 1u], f.x), mixGrass(grass_[i + stepY], grass_[i + stepY + 1u], f.x), f.y);\n let far = mix(mixGrass(grass_[j], grass_[j + 1u], f.x), mixGrass(grass_[j + stepY], grass_[j + stepY + 1u], f.x), f.y);\n return mix(near, far, f.z);\n}",
+  "fn heightStepsPerMetre(cover : Cover, grass : vec3f) -> f32 {\n return cover.stepsPerMetre * select(1.0, grass.x / grass.y, grass.y > 0.0);\n}",
+  "fn leafShareAbove(cover : Cover, steps : f32) -> f32 {\n let at = clamp(steps, 0.0, f32(heightSteps));\n let step_ = min(u32(at), heightSteps - 1u);\n let pair = unpack2x16float(cover.leaves[step_ / 2u].x);\n var low = select(pair.x, 1.0, step_ == 0u);\n var next = pair.y;\n if ((step_ & 1u) != 0u) {\n  low = pair.y;\n  next = select(0.0, unpack2x16float(cover.leaves[step_ / 2u + 1u].x).x, step_ + 1u < heightSteps);\n }\n let root = mix(low, next, at - f32(step_));\n return root * root;\n}",
+  "fn leafProjectionOf(cover : Cover) -> f32 {\n return unpack2x16float(cover.leaves[0].x).x;\n}",
+  "fn undergrowthBelow(leafArea : f32) -> f32 {\n return 1.0 - exp(-0.65 * leafArea);\n}",
+  "fn groundUnder(cover : Cover, bare : vec3f, shade : vec3f, leafArea : f32) -> vec3f {\n return mix(bare, shade * cover.undergrowth, cover.thatch * undergrowthBelow(leafArea));\n}",
+  "fn leavesAround(leafArea : f32, thinned : f32) -> f32 {\n return leafArea * max(pow(thinned, -0.22), 0.6);\n}",
+  "fn heightWithLeafShare(share : f32) -> f32 {\n return pow(clamp(share, 0.0, 1.0), 2.0 / 3.0);\n}",
+  "const lowestSun : f32 = 0.1;",
+  "fn leafProjectionAlong(upwards : f32, cosine : f32) -> f32 {\n let beside = 0.637 * sqrt(max(1.0 - 1.9 * upwards * upwards, 0.0));\n let sine = sqrt(max(1.0 - cosine * cosine, 0.0));\n return length(vec2f(upwards * cosine, beside * sine));\n}",
+  "const skyExtinction : f32 = 1.2;",
+  "fn sunBelow(upwards : f32, leafArea : f32, cosine : f32) -> f32 {\n let risen = max(cosine, lowestSun);\n return exp(-leafProjectionAlong(upwards, risen) * (leafArea / risen));\n}",
+  "fn skyBelow(leafArea : f32) -> f32 {\n return exp(-skyExtinction * leafArea);\n}",
+  "const cullResultPatch : u32 = 1u;",
+  "const cullResultOcclusion : u32 = 5u;",
+  "fn distanceFromFootprint(plane : FloorPlane, place : vec3f, across : vec3f) -> f32 {\n let way = place - plane.middle;\n let at = abs(vec2f(dot(way, plane.along), dot(way, across)));\n let beyond = max(at - (plane.halfSides - plane.cornerRadius), vec2f(0.0));\n return max(length(beyond) - plane.cornerRadius, 0.0);\n}",
+  "fn skyBesideWall(height : f32, distance_ : f32) -> f32 {\n let slant = sqrt(height * height + distance_ * distance_);\n return select(1.0, 0.5 + 0.5 * distance_ / slant, slant > 0.0);\n}",
+  "const shapeQuad : u32 = 1u;",
+  "fn isEven(shape : u32) -> bool {\n return shape != shapeQuadratic;\n}",
+  "const shadowOffset : f32 = 2.0;",
+  "fn sunSeen(shadow : SunShadow, place : vec3f, normal : vec3f) -> f32 {\n if (shadow.size == 0u) {\n  return 1.0;\n }\n let lifted = vec4f(place + normal * (shadowOffset * shadow.texel), 1.0);\n let at = vec2f(dot(shadow.across, lifted), dot(shadow.down, lifted)) - 0.5;\n let depth = dot(shadow.depth, lifted) + shadow.epsilon;\n let f = at - floor(at);\n let last = i32(shadow.size) - 2;\n let column = clamp(i32(floor(at.x)), 0, last);\n let row = clamp(i32(floor(at.y)), 0, last);\n let first = row * i32(shadow.size) + column;\n let below = first + i32(shadow.size);\n let above0 = select(0.0, 1.0, fetch_depths(u32(first)) > depth);\n let above1 = select(0.0, 1.0, fetch_depths(u32(first + 1)) > depth);\n let below0 = select(0.0, 1.0, fetch_depths(u32(below)) > depth);\n let below1 = select(0.0, 1.0, fetch_depths(u32(below + 1)) > depth);\n return 1.0 - mix(mix(above0, above1, f.x), mix(below0, below1, f.x), f.y);\n}",
+  "@group(0) @binding(6) var<storage, read> grass_ : array<u32>;",
+  "@group(0) @binding(7) var<storage, read> map_ : array<vec2u>;",
+  "@group(0) @binding(8) var sunMap_ : texture_depth_2d;",
+  "fn fetch_cullResults(i : u32) -> u32 {\n return 0u;\n}",
+  "fn fetch_depths(i : u32) -> f32 {\n let size = frameConstants_.shadow.size;\n return textureLoad(sunMap_, vec2i(i32(i % size), i32(i / size)), 0);\n}",
+  "const debugNothing : u32 = 0u;",
+  "const distanceBands : u32 = 8u;",
+  "const debugNear : u32 = 5u;",
+  "fn distanceBand(distance_ : f32, farthest : f32) -> u32 {\n let nearest = min(2.0, 0.01 * farthest);\n let share = log2(max(distance_, nearest) / nearest) / log2(farthest / nearest);\n return min(u32(f32(distanceBands) * share), distanceBands - 1u);\n}",
+  "struct BladeColors {\n root : vec3f,\n tip : vec3f,\n}",
+  "const throughTint : vec3f = vec3f(1.25, 1.15, 0.45);",
+  "const throughShare : f32 = 0.8;",
+  "fn tipShareAt(along : f32) -> f32 {\n return smoothstep(-0.15, 0.8, along);\n}",
+  "fn decodeSrgb(c : vec3f) -> vec3f {\n return select(c / 12.92, pow((c + 0.055) / 1.055, vec3f(2.4)), c > vec3f(0.04045));\n}",
+  "fn chance(key : u32) -> f32 {\n return f32(mixUint(key) >> 8u) * (1.0 / 16777215.0);\n}",
+  "fn meadowAt(position : vec3f) -> f32 {\n return 0.65 * valueNoise(position / 2.3) + 0.35 * valueNoise(position / 0.7);\n}",
+  "fn regionAt(position : vec3f) -> f32 {\n return valueNoise(position / 13.0 + 71.0);\n}",
+  "fn shiftOf(hue : f32) -> vec3f {\n return vec3f(1.0 + 0.75 * hue, 1.0 + 0.10 * hue, 1.0 - 0.45 * hue);\n}",
+  "fn clumpTone(clump : u32) -> f32 {\n return chance(clump * 977u + 11u);\n}",
+  "fn bladeColors(cover : Cover, blade : Blade, species : Species, leafArea : f32) -> BladeColors {\n let clump = clumpTone(blade.clump);\n let kept = u32(blade.facing * (256.0 / twoPi) + 0.5) | (u32(blade.stiffness * 63.0 + 0.5) << 8u) | (u32(blade.tint.y * 63.0 + 0.5) << 14u) | (blade.clump << 20u);\n let single = chance(kept * 16u + blade.hash);\n let other = chance(kept * 16u + blade.hash + 0x9e3779b9u);\n let meadow = meadowAt(blade.root);\n let region = regionAt(blade.root);\n let amount = species.colorVariation;\n let light = 1.0 + amount * (0.9 * (single - 0.5) + 0.6 * (clump - 0.5) + 0.5 * (meadow - 0.5) + 0.4 * (region - 0.5));\n let hue = amount * (0.7 * (clump - 0.5) + 0.5 * (other - 0.5) + 1.1 * (meadow - 0.5) + 1.2 * (region - 0.5));\n let shift = shiftOf(hue);\n var colors : BladeColors;\n let ground = groundUnder(cover, decodeSrgb(blade.tint), shift, cover.thinned * leafArea);\n colors.root = mix(species.rootColor * shift, ground, species.groundTint) * light;\n colors.tip = species.tipColor * shift * light;\n let dead = select(0.0, 1.0, blade.clump == driedClump);\n let dry = max(smoothstep(0.0, 0.25, species.dryness * (0.6 + 0.8 * meadow) - other), dead);\n let straw = vec3f(0.42, 0.32, 0.13) * (0.7 + 0.6 * single);\n colors.tip = mix(colors.tip, straw, 0.8 * dry);\n colors.root = mix(colors.root, straw * 0.6, 0.25 * dry + 0.3 * dead);\n return colors;\n}",
+  "fn filmOf(exposed : vec3f) -> vec3f {\n let x = exposed * 0.80;\n let film = x * (2.51 * x + 0.03) / (x * (2.43 * x + 0.59) + 0.14);\n return clamp(film, vec3f(0.0), vec3f(1.0));\n}",
+  "const knownDebugMode : u32 = 0u;",
+  "fn debugMode() -> u32 {\n return knownDebugMode;\n}",
+  "fn showsBands() -> bool {\n return debugMode() >= debugNear;\n}",
+  "fn paleSky(sunCosine : f32) -> vec3f {\n let towards = 0.5 + 0.5 * sunCosine;\n let pale = mix(vec3f(1.12, 1.02, 0.90), vec3f(1.36, 1.12, 0.96), frameConstants_.lowSun);\n return frameConstants_.skyColor * mix(pale, vec3f(2.50, 1.45, 0.66), frameConstants_.lowSun * towards * towards);\n}",
+  "fn glowAround(sunCosine : f32) -> vec3f {\n let toSun = max(sunCosine, 0.0);\n let glow = 0.10 * pow(toSun, 4.0) + 0.22 * pow(toSun, 32.0) + 0.5 * pow(toSun, 400.0);\n return glow * frameConstants_.sunColor * mix(vec3f(0.36, 0.34, 0.31), vec3f(0.45, 0.33, 0.22), frameConstants_.lowSun);\n}",
+  "fn skyAbove(height : f32, sunCosine : f32) -> vec3f {\n let zenith = frameConstants_.skyColor * vec3f(0.15, 0.30, 0.56);\n return mix(paleSky(sunCosine), zenith, 1.0 - exp(-4.0 * height)) + glowAround(sunCosine);\n}",
+  "fn skyRadiance(ray : vec3f) -> vec3f {\n let height = dot(ray, frameConstants_.skyUp);\n let sunCosine = dot(ray, frameConstants_.sunDirection);\n if (height >= 0.0) {\n  return skyAbove(height, sunCosine);\n }\n let pale = paleSky(sunCosine);\n let haze = mix(0.85 * pale, frameConstants_.groundColor, 0.2);\n return mix(pale, haze, 1.0 - exp(2.2 * height)) + glowAround(sunCosine);\n}",
+  "fn hemisphere(n : vec3f) -> vec3f {\n return mix(frameConstants_.groundColor, 1.25 * frameConstants_.skyColor, 0.5 + 0.5 * dot(n, frameConstants_.skyUp));\n}",
+  "const passedAgain : f32 = 0.5;",
+  "fn lightAmongLeaves(leafArea : f32, below : f32, cosine : f32, sun : vec3f, sky : vec3f, leaf : vec3f) -> vec3f {\n let risen = max(cosine, lowestSun);\n let crossed = leafProjectionAlong(leafProjectionOf(frameConstants_.cover), risen) / risen;\n let left = exp(-crossed * leafArea);\n let open = skyBelow(leafArea);\n let leftAbove = select(1.0, (1.0 - left) / (crossed * leafArea), leafArea > 1e-3);\n let openAbove = select(1.0, (1.0 - open) / (skyExtinction * leafArea), leafArea > 1e-3);\n let leaves = 1.0 - open;\n let sunOfLeaves = leaves * leftAbove + below * left / (1.0 + crossed / skyExtinction);\n let skyOfLeaves = leaves * openAbove + below * open * 0.5;\n let once = 0.25 * leaf * (sun * (crossed * risen * sunOfLeaves) + sky * skyOfLeaves);\n return once / (1.0 - passedAgain * leaf);\n}",
+  "fn clearBetween(climb : f32, distance_ : f32) -> f32 {\n let rise = frameConstants_.fogFalloff * distance_ * climb;\n let mean = select(1.0 - 0.5 * rise, (1.0 - exp(-rise)) / rise, abs(rise) > 1e-3);\n return exp(-frameConstants_.fogDensity * distance_ * mean);\n}",
+  "fn throughAir(color : vec3f, direction : vec3f, distance_ : f32) -> vec3f {\n let climb = dot(direction, frameConstants_.skyUp);\n let perLength = inverseSqrt(max(1.0 - climb * climb, 0.0) + 0.02 * 0.02);\n let sunCosine = dot(direction, frameConstants_.sunDirection) - (climb - 0.02) * dot(frameConstants_.skyUp, frameConstants_.sunDirection);\n return mix(skyAbove(0.02 * perLength, sunCosine * perLength), color, clearBetween(climb, distance_));\n}",
+  "fn develop(radiance : vec3f) -> vec3f {\n return filmOf(radiance * frameConstants_.exposure);\n}",
+  "fn softness(distance_ : f32, share : f32) -> f32 {\n if (frameConstants_.view.minWidth <= 0.0 || debugMode() != debugNothing) {\n  return 0.0;\n }\n let widthPixels = frameConstants_.view.lodWidth * frameConstants_.view.pixelsPerUnit / max(distance_, 1e-6);\n return share * (1.0 - smoothstep(0.6, 1.5, widthPixels));\n}",
+  "fn dithered(color : vec3f, place : vec2f) -> vec3f {\n let h = mixUint(u32(place.x) + 65536u * u32(place.y));\n let noise = f32(h >> 8u) * (1.0 / 16777215.0) - 0.5;\n return color + noise * (2.2 / 255.0) * pow(max(color, vec3f(0.0)), vec3f(0.5454));\n}",
+  "fn colorOf(number : u32) -> vec3f {\n let h = mixUint(number * 2654435761u + 12345u);\n return 0.15 + 0.85 * vec3f(f32(h & 255u), f32((h >> 8u) & 255u), f32((h >> 16u) & 255u)) / 255.0;\n}",
+  "struct BladeSurface {\n root : vec4f,\n tip : vec4f,\n material : vec4f,\n}",
+  "fn packedLook(look : vec3f) -> f32 {\n let bytes = floor(clamp(look, vec3f(0.0), vec3f(1.0)) * 255.0 + 0.5);\n return dot(bytes, vec3f(65536.0, 256.0, 1.0));\n}",
+  "fn unpackedLook(packed : f32) -> vec3f {\n let bits = u32(packed);\n return vec3f(vec3u(bits >> 16u, bits >> 8u, bits) & vec3u(255u)) / 255.0;\n}",
+  "fn packedHeights(steps : vec3f) -> f32 {\n return packedLook(steps / f32(heightSteps));\n}",
+  "fn leafAreaAbove(material : vec4f, along : f32) -> f32 {\n let steps = f32(heightSteps) * unpackedLook(material.z);\n let height = mix(mix(steps.x, steps.y, along), mix(steps.y, steps.z, along), along);\n return material.y * leafShareAbove(frameConstants_.cover, height);\n}",
+  "fn packedFinish(finish : u32, pixels : f32) -> f32 {\n return floor(clamp(pixels * 4.0, 0.0, 255.0) + 0.5) + 256.0 * f32(finish);\n}",
+  "fn finishIn(packed : f32) -> u32 {\n return u32(packed) >> 8u;\n}",
+  "fn pixelsIn(packed : f32) -> f32 {\n return 0.25 * f32(u32(packed) & 255u);\n}",
+  "fn fleckLength() -> f32 {\n return 1.5 / max(frameConstants_.cover.stepsPerMetre, 1e-6);\n}",
+  "fn fleckCount(length_ : f32) -> f32 {\n return clamp(floor(length_ / fleckLength() + 0.5), 1.0, 255.0);\n}",
+  "const finishGrass : u32 = 0u;",
+  "const finishBroad : u32 = 1u;",
+  "const finishPetal : u32 = 2u;",
+  "const finishStalk : u32 = 3u;",
+  "const finishPlain : u32 = 4u;",
+  "fn finishOf(look : Species) -> u32 {\n if (look.shape == shapeQuad) {\n  return finishStalk;\n }\n if (look.shape != shapeLeaf && look.shape != shapeDandelion) {\n  return finishGrass;\n }\n return select(finishPetal, finishBroad, look.tipColor.y > max(look.tipColor.x, look.tipColor.z));\n}",
+  "fn finishDice(seed : u32) -> f32 {\n return f32(seed & 255u) * (1.0 / 255.0);\n}",
+  "fn endWave(away : f32, falls : f32) -> f32 {\n let rest = max(1.0 - away, 0.0);\n return rest * rest * (1.0 - falls * away);\n}",
+  "fn toneAlong(finish : u32, along : f32, seed : u32) -> vec3f {\n if (finish == finishBroad || finish == finishPlain) {\n  return vec3f(1.0);\n }\n if (finish == finishPetal) {\n  return vec3f(1.0) - endWave(min(along * (1.0 / 0.6), 1.0), 2.5) * vec3f(0.12, 0.22, 0.42);\n }\n let tone = vec3f(1.0) + endWave(min(along * 2.5, 1.0), 4.0) * vec3f(0.75, 0.3, 0.55);\n if (finish == finishStalk) {\n  return tone;\n }\n let dry = smoothstep(0.3, 1.0, finishDice(seed));\n return tone + dry * endWave(min(2.2 - 2.2 * along, 1.0), 2.5) * vec3f(0.12, -0.2, -0.35);\n}",
+  "struct Veins {\n tone : vec3f,\n slope : f32,\n}",
+  "fn midribAt(x : f32, reach : f32) -> f32 {\n let off = x / reach;\n let rest = max(1.0 - off * off, 0.0);\n return rest * rest - 8.0 / 15.0 * reach;\n}",
+  "fn shareSeen(spacing : f32) -> f32 {\n return smoothstep(2.5, 5.0, spacing);\n}",
+  "const halfWave : f32 = 3.14159265;",
+  "fn veinsAt(finish : u32, place : vec2f, pixels : f32, seed : u32) -> Veins {\n let x = place.x;\n let t = place.y;\n var veins : Veins;\n veins.tone = vec3f(1.0);\n veins.slope = 0.0;\n let wide = select(pixels * min(1.0, select(4.0 * t * (1.0 - t), 2.0 - 2.0 * t, finish == finishGrass)), pixels, finish == finishStalk);\n let ridge = shareSeen(0.6 * wide);\n let phase = 40.0 * finishDice(seed);\n if (finish == finishGrass) {\n  let few = shareSeen(wide / 7.0);\n  let many = shareSeen(wide / 17.0);\n  let a = 7.0 * halfWave * x + phase;\n  let b = 17.0 * halfWave * x + 2.0 * phase;\n  veins.tone += ridge * midribAt(x, 0.16) * vec3f(0.45, 0.36, 0.8) + 0.09 * few * cos(a) + 0.07 * many * cos(b);\n  veins.slope = 0.16 * few * sin(a) + 0.14 * many * sin(b);\n } else {\n  if (finish == finishBroad) {\n   let a = 2.0 * halfWave * (7.0 * t - abs(x)) + phase;\n   let side = shareSeen(0.3 * wide);\n   veins.tone += ridge * midribAt(x, 0.1) * vec3f(0.5, 0.42, 0.7) + side * (0.1 * cos(a) + 0.06 * cos(2.0 * a) + 0.03 * cos(3.0 * a));\n   veins.slope = 0.12 * side * sin(a) * sign(x);\n  } else {\n   if (finish == finishPetal) {\n    let a = 5.0 * halfWave * x + phase;\n    let b = 13.0 * halfWave * x + 2.0 * phase;\n    let few = shareSeen(wide / 5.0);\n    let many = shareSeen(wide / 13.0);\n    veins.tone += 0.07 * few * cos(a) + 0.08 * (1.0 - 0.5 * t) * many * cos(b);\n    veins.slope = 0.3 * few * sin(a) + 0.15 * many * sin(b);\n   } else {\n    if (finish == finishStalk) {\n     let a = 4.0 * halfWave * x + phase;\n     let few = shareSeen(0.4 * wide);\n     veins.tone += 0.1 * few * cos(a);\n     veins.slope = 0.12 * few * sin(a);\n    }\n   }\n  }\n }\n return veins;\n}",
+  "const roughnessAcross : f32 = 0.46;",
+  "const roughnessAlong : f32 = 0.18;",
+  "const mirroredHeadOn : f32 = 0.019;",
+  "fn coatShine(normal : vec3f, tangent : vec3f, source : vec3f, eye : vec3f) -> f32 {\n let facing = dot(normal, source);\n let sum = source + eye;\n let along = dot(sum, tangent);\n let up = dot(sum, normal);\n if (facing <= 0.0 || up <= 0.0) {\n  return 0.0;\n }\n let square = dot(sum, sum);\n let across = max(square - up * up - along * along, 0.0);\n let depth = max(up * up, 0.0625);\n let slopes = (along * along * (1.0 / (roughnessAlong * roughnessAlong)) + across * (1.0 / (roughnessAcross * roughnessAcross))) / depth;\n let grazing = max(1.0 - 0.5 * sqrt(square), 0.0);\n let twice = grazing * grazing;\n let fresnel = mirroredHeadOn + (1.0 - mirroredHeadOn) * twice * twice * grazing;\n return facing * fresnel * exp(-slopes) * square / (roughnessAcross * roughnessAlong * depth * depth);\n}",
+  "fn coatAlbedo(cosine : f32) -> f32 {\n let grazing = 1.0 - clamp(cosine, 0.1, 1.0);\n let twice = grazing * grazing;\n return 0.017 + 0.3 * twice * twice;\n}",
+  "struct BladePoint {\n position : vec3f,\n tangent : vec3f,\n axis : vec3f,\n up : vec3f,\n fold : f32,\n place : vec2f,\n rootColor : vec4f,\n tipColor : vec4f,\n look : vec3f,\n leafAbove : f32,\n leafBelow : f32,\n seed : u32,\n flecks : f32,\n finish : f32,\n}",
+  "fn bladeNormal(point : BladePoint, toEye : vec3f, distance_ : f32) -> vec3f {\n let flat_ = cross(point.tangent, point.axis);\n let size = length(flat_);\n var n = select(point.up, flat_ / size, size > 1e-3);\n if (point.fold > 0.0) {\n  n += point.fold * sign(point.place.x) * point.axis;\n }\n n *= select(1.0, -1.0, dot(n, toEye) < 0.0);\n let smallness = smoothstep(4.0, 60.0, distance_ * 1000.0 / frameConstants_.view.pixelsPerUnit);\n let roundness = select(0.55, 1.4, finishIn(point.finish) == finishStalk);\n return normalize(n + roundness * (1.0 - point.fold) * (1.0 - smallness) * point.place.x * point.axis);\n}",
+  "struct Scattering {\n facing : f32,\n diffuse : f32,\n through : f32,\n}",
+  "fn scatteringOf(source : vec3f, n : vec3f) -> Scattering {\n var scattering : Scattering;\n scattering.facing = dot(n, source);\n scattering.diffuse = max((scattering.facing + 0.15) / 1.3225, 0.0);\n scattering.through = max(-scattering.facing, 0.0);\n return scattering;\n}",
+  "fn throughBlade(translucency : f32) -> vec3f {\n return throughShare * translucency * throughTint;\n}",
+  "struct Incoming {\n around : vec3f,\n behind : vec3f,\n above : vec3f,\n mirrored : vec3f,\n sun : vec3f,\n}",
+  "fn incomingFromSky(n : vec3f, open : vec2f) -> Incoming {\n let sky = 1.25 * open.x * frameConstants_.skyColor;\n let ground = open.y * frameConstants_.groundColor;\n let up = 0.5 + 0.5 * dot(n, frameConstants_.skyUp);\n return Incoming(mix(ground, sky, up), mix(sky, ground, up), 1.25 * frameConstants_.skyColor, frameConstants_.skyColor, frameConstants_.sunColor);\n}",
+  "fn incomingAt(position : vec3f, up : vec3f, n : vec3f, open : vec2f) -> Incoming {\n return incomingFromSky(n, open);\n}",
+  "const fleckEdge : f32 = 0.15;",
+  "fn fleckAt(key : u32, mean : f32) -> f32 {\n let chance = f32(mixUint(key) >> 8u) * (1.0 / 16777216.0);\n return clamp((mean - chance) / (2.0 * fleckEdge) + 0.5, 0.0, 1.0);\n}",
+  "fn fleckOf(point : BladePoint, mean : f32, distance_ : f32) -> f32 {\n let pixels = frameConstants_.view.pixelsPerUnit * fleckLength() / distance_;\n let seen = smoothstep(1.0, 4.0, pixels);\n if (seen <= 0.0) {\n  return mean;\n }\n let at = point.place.y * point.flecks + f32(point.seed & 255u) * (1.0 / 256.0);\n let key = point.seed + u32(at) * 0x9e3779b9u;\n let fleck = mix(fleckAt(key, mean), fleckAt(key + 0x9e3779b9u, mean), smoothstep(0.25, 0.75, fract(at)));\n return mix(mean, fleck, seen);\n}",
+  "struct LitPoint {\n normal : vec3f,\n albedo : vec3f,\n risen : f32,\n sunlit : f32,\n}",
+  "fn litPoint(point : BladePoint, toEye : vec3f, distance_ : f32) -> LitPoint {\n let along = point.place.y;\n var n = bladeNormal(point, toEye, distance_);\n let finish = finishIn(point.finish);\n var albedo = mix(point.rootColor.rgb, point.tipColor.rgb, tipShareAt(along));\n let isPlain = debugMode() != debugNothing;\n if (!isPlain) {\n  albedo *= toneAlong(finish, along, point.seed);\n }\n let turned = dot(toEye, point.axis);\n let wide = pixelsIn(point.finish) * sqrt(max(1.0 - turned * turned, 0.0));\n if (!isPlain && wide > 4.0) {\n  let veins = veinsAt(finish, point.place, wide, point.seed);\n  albedo *= veins.tone;\n  n = normalize(n + veins.slope * point.axis);\n }\n let risen = mix(point.rootColor.w, point.tipColor.w, along);\n let among = sunAmongBlades(frameConstants_.bladeShadow, point.position, point.seed);\n var passed = among.x;\n if (among.y < 1.0) {\n  passed = mix(fleckOf(point, sunBelow(leafProjectionOf(frameConstants_.cover), point.leafAbove, dot(point.up, frameConstants_.sunDirection)), distance_), passed, among.y);\n }\n return LitPoint(n, albedo, risen, point.look.x * risen * passed);\n}",
+  "fn ontoBlade(point_in : BladePoint) -> BladePoint {\n var point = point_in;\n point.place = clamp(point.place, vec2f(-1.0, 0.0), vec2f(1.0));\n return point;\n}",
+  "fn bladePicture(point_in : BladePoint) -> vec3f {\n var point = point_in;\n point = ontoBlade(point);\n let along = point.place.y;\n let openSky = point.look.x;\n let translucency = point.look.y;\n let gloss = point.look.z;\n let sun = frameConstants_.sunDirection;\n let ray = frameConstants_.view.eye - point.position;\n let distance_ = length(ray);\n if (showsBands()) {\n  let band = distanceBand(distance_, frameConstants_.view.drawDistance);\n  let channel = band - 3u * (debugMode() - debugNear);\n  return vec3f(f32(channel == 0u), f32(channel == 1u), f32(channel == 2u));\n }\n let toEye = ray / max(distance_, 1e-6);\n let lit = litPoint(point, toEye, distance_);\n let n = lit.normal;\n let albedo = lit.albedo;\n let risen = lit.risen;\n let sunlit = lit.sunlit;\n let leafArea = point.leafAbove;\n let upright = dot(point.up, sun);\n let openBelow = skyBelow(point.leafBelow);\n let openAbove = openSky * skyBelow(leafArea);\n let incoming = incomingAt(point.position, point.up, n, vec2f(openAbove, openSky * openBelow));\n let through = throughBlade(translucency);\n var light = incoming.around + through * incoming.behind + openSky * (1.0 + through) * lightAmongLeaves(leafArea, 1.0 - openBelow, upright, risen * incoming.sun, incoming.above, albedo * (1.0 + through));\n let scattering = scatteringOf(sun, n);\n light += incoming.sun * (sunlit * (scattering.diffuse + through * scattering.through));\n var color = albedo * light;\n let coat = gloss * along;\n if (coat > 0.0) {\n  let towards = dot(n, toEye);\n  let mirrored = coat * coatAlbedo(towards);\n  let upwards = 0.5 + towards * dot(n, frameConstants_.skyUp) - 0.5 * dot(toEye, frameConstants_.skyUp);\n  color += mirrored * (openAbove * upwards * incoming.mirrored - color);\n  color += coat * sunlit * coatShine(n, point.tangent, sun, toEye) * incoming.sun;\n }\n if (debugMode() != debugNothing) {\n  color = albedo * (0.25 + 0.75 * along) * (0.6 + 0.4 * max(scattering.facing, 0.0));\n } else {\n  color = throughAir(color, -toEye, distance_);\n }\n return develop(color);\n}",
+  "const debugReason : u32 = 4u;",
+  "fn cullResultColor(cullResult : u32) -> vec3f {\n if (cullResult == cullResultDrawn) {\n  return vec3f(0.06, 0.34, 0.12);\n }\n if (cullResult == cullResultPatch) {\n  return vec3f(0.30, 0.30, 0.33);\n }\n if (cullResult == cullResultOrientation) {\n  return vec3f(0.86, 0.77, 0.05);\n }\n if (cullResult == cullResultFrustum) {\n  return vec3f(0.66, 0.11, 0.01);\n }\n if (cullResult == cullResultDistance) {\n  return vec3f(0.02, 0.17, 0.45);\n }\n if (cullResult == cullResultOcclusion) {\n  return vec3f(0.60, 0.19, 0.38);\n }\n return vec3f(0.09, 0.46, 0.81);\n}",
+  "fn liftedSurface(surface_in : BladeSurface, above : f32) -> BladeSurface {\n var surface = surface_in;\n let root = 1.0 - heightWithLeafShare(above);\n surface.root = vec4f(mix(surface.root.rgb, surface.tip.rgb, tipShareAt(root)), mix(surface.root.w, surface.tip.w, root));\n surface.material.y *= above;\n return surface;\n}",
+  "fn bladeSurface(drawn : DrawnBlade, visible : VisibleBlade, limit : LeafAreaLimit) -> BladeSurface {\n let blade = drawn.blade;\n let species = drawn.species;\n let grass = grassAt(frameConstants_.cover, blade.root);\n let leafArea = grass.x;\n var colors = bladeColors(frameConstants_.cover, blade, species, leafArea);\n if (debugMode() == 1u) {\n  colors.tip = mix(vec3f(0.1, 0.6, 0.1), vec3f(1.0, 0.1, 0.0), clamp(log2(max(widthFactorOf(visible), 1.0)) / 4.0, 0.0, 1.0));\n } else {\n  if (debugMode() == 2u) {\n   colors.tip = colorOf(visible.patchIndex);\n  } else {\n   if (debugMode() == debugReason) {\n    colors.tip = cullResultColor(fetch_cullResults(placeOf(vec2u(), visible.blade)));\n   }\n  }\n }\n if (debugMode() != debugNothing) {\n  colors.root = 0.4 * colors.tip;\n }\n let risen = smoothstep(-0.15, 0.25, dot(blade.up, frameConstants_.sunDirection));\n var surface : BladeSurface;\n surface.root = vec4f(colors.root, risen * sunSeen(frameConstants_.shadow, drawn.ribbon.v0, blade.up));\n surface.tip = vec4f(colors.tip, risen * sunSeen(frameConstants_.shadow, drawn.ribbon.v2, blade.up));\n let heights = vec3f(dot(drawn.ribbon.v0 - blade.root, blade.up), dot(drawn.ribbon.v1 - blade.root, blade.up), dot(drawn.ribbon.v2 - blade.root, blade.up));\n let missing = leavesPerDrawn(frameConstants_.view, distance(blade.root, frameConstants_.view.eye));\n surface.material = vec4f(packedLook(vec3f(blade.exposure, species.translucency, species.gloss)), leavesAround(leafArea / missing, frameConstants_.cover.thinned * missing), packedHeights(heightStepsPerMetre(frameConstants_.cover, grass) / heightFactorOf(visible) * heights), packedFinish(finishOf(species), visible.pixels * drawn.ribbon.width / blade.height));\n var t1_ : BladeSurface;\n if (limit.light < 1.0) {\n  t1_ = liftedSurface(surface, limit.light);\n } else {\n  t1_ = surface;\n }\n return t1_;\n}",
+  "struct SeenBlade {\n ribbon : Ribbon,\n surface : BladeSurface,\n blade : u32,\n patchIndex : u32,\n hasHistory : bool,\n}",
+  "struct SeenPoint {\n shares : vec3f,\n depth : f32,\n least : f32,\n}",
+  "fn seenAt(a : vec4f, b : vec4f, c : vec4f, place : vec2f) -> SeenPoint {\n let p = a.xy - place * a.w;\n let q = b.xy - place * b.w;\n let r = c.xy - place * c.w;\n let areas = vec3f(q.x * r.y - q.y * r.x, r.x * p.y - r.y * p.x, p.x * q.y - p.y * q.x);\n let sum = areas.x + areas.y + areas.z;\n var seen : SeenPoint;\n seen.shares = select(vec3f(0.0), areas / sum, sum != 0.0);\n let w = dot(seen.shares, vec3f(a.w, b.w, c.w));\n seen.depth = select(0.0, dot(seen.shares, vec3f(a.z, b.z, c.z)) / w, w > 0.0);\n seen.least = select(-1e9, min(min(seen.shares.x, seen.shares.y), seen.shares.z), w > 0.0 && sum != 0.0);\n return seen;\n}",
+  "fn rayThrough(place : vec2f) -> vec3f {\n return place.x * frameConstants_.rays[0] + (place.y * frameConstants_.rays[1] + frameConstants_.rays[2]);\n}",
+  "struct Corner {\n seen : vec4f,\n place : vec2f,\n}",
+  "struct Found {\n point : vec3f,\n place : vec2f,\n}",
+  "struct Guess {\n error : f32,\n depth : f32,\n place : vec2f,\n}",
+  "struct Sighting {\n pixel : vec2f,\n depth : f32,\n middle : vec2f,\n}",
+  "const foundError : f32 = 0.02;",
+  "fn errorOf(seen : SeenPoint, sighting : Sighting) -> f32 {\n return max(-seen.least, 0.0) + abs(seen.depth / sighting.depth - 1.0);\n}",
+  "fn sharesInMiddle(first : vec4f, second : vec4f, third : vec4f, seen : SeenPoint, sighting : Sighting) -> vec3f {\n let inside = max(seenAt(first, second, third, sighting.middle).shares, vec3f(0.0));\n return inside / max(inside.x + inside.y + inside.z, 1e-6);\n}",
+  "fn depthOf(first : vec4f, second : vec4f, third : vec4f, shares : vec3f) -> f32 {\n return dot(shares, vec3f(first.z, second.z, third.z)) / dot(shares, vec3f(first.w, second.w, third.w));\n}",
+  "fn lookAtHalves(lens : Lens, ribbon : Ribbon, low : f32, high : f32, isUpper : bool, sighting : Sighting, guess : ptr<function, Guess>) {\n let before = seenSection(lens, ribbon, low);\n let after = seenSection(lens, ribbon, high);\n let left = Corner(before.left, vec2f(-1.0, low));\n let right = Corner(before.right, vec2f(1.0, low));\n let ridge = Corner(before.ridge, vec2f(0.0, low));\n let leftAfter = Corner(after.left, vec2f(-1.0, high));\n let rightAfter = Corner(after.right, vec2f(1.0, high));\n let ridgeAfter = Corner(after.ridge, vec2f(0.0, high));\n for (var i = 0u; i < trianglesOf(true); i++) {\n  let part = triangleOf(i, true, isUpper);\n  var t1_ : Corner;\n  if (part.isRight) {\n   t1_ = ridge;\n  } else {\n   t1_ = left;\n  }\n  let a = t1_;\n  var t2_ : Corner;\n  if (part.endsAtRidge) {\n   t2_ = ridge;\n  } else {\n   t2_ = right;\n  }\n  let b = t2_;\n  var t3_ : Corner;\n  if (part.isRight) {\n   t3_ = ridgeAfter;\n  } else {\n   t3_ = leftAfter;\n  }\n  let c = t3_;\n  var t4_ : Corner;\n  if (part.endsAtRidge) {\n   t4_ = ridgeAfter;\n  } else {\n   t4_ = rightAfter;\n  }\n  let d = t4_;\n  var t5_ : Corner;\n  if (part.beginsRight) {\n   t5_ = b;\n  } else {\n   t5_ = a;\n  }\n  let first = t5_;\n  var t6_ : Corner;\n  if (part.isSecond) {\n   t6_ = d;\n  } else {\n   t6_ = b;\n  }\n  let second = t6_;\n  var t7_ : Corner;\n  if (part.endsLeft) {\n   t7_ = c;\n  } else {\n   t7_ = d;\n  }\n  let third = t7_;\n  let seen = seenAt(first.seen, second.seen, third.seen, sighting.pixel);\n  let error = errorOf(seen, sighting);\n  if (error >= (*guess).error) {\n   continue;\n  }\n  let shares = sharesInMiddle(first.seen, second.seen, third.seen, seen, sighting);\n  (*guess).error = error;\n  (*guess).depth = depthOf(first.seen, second.seen, third.seen, shares);\n  (*guess).place = shares.x * first.place + shares.y * second.place + shares.z * third.place;\n }\n}",
+  "struct Curve {\n toMiddle : vec3f,\n bend : vec3f,\n}",
+  "fn curveOf(ribbon : Ribbon) -> Curve {\n let toMiddle = 2.0 * (ribbon.v1 - ribbon.v0);\n let bend = ribbon.v2 - ribbon.v0 - toMiddle;\n return Curve(toMiddle, bend);\n}",
+  "fn tangentOf_2(curve : Curve, t : f32) -> vec3f {\n let along = curve.toMiddle + 2.0 * t * curve.bend;\n return normalize(select(curve.toMiddle, along, dot(along, along) > 1e-18));\n}",
+  "fn placeAlong(ribbon : Ribbon, curve : Curve, point : vec3f) -> f32 {\n let upwards = curve.toMiddle;\n let forwards = cross(upwards, ribbon.axis);\n let toPoint = point - ribbon.v0;\n let rise = dot(upwards, upwards);\n let bend = vec2f(dot(curve.bend, upwards), dot(curve.bend, forwards));\n let tip = bend + vec2f(rise, 0.0);\n let p = vec2f(dot(toPoint, upwards), dot(toPoint, forwards));\n var t = clamp(dot(p, tip) / max(dot(tip, tip), 1e-30), 0.0, 1.0);\n for (var i = 0u; i < 2u; i++) {\n  let half_ = vec2f(rise, 0.0) + t * bend;\n  let off = t * half_ - p;\n  let speed = half_ + t * bend;\n  t = clamp(t - dot(off, speed) / max(dot(speed, speed), 1e-30), 0.0, 1.0);\n }\n return t;\n}",
+  "fn rayTo(lens : Lens, pixel : vec2f) -> vec3f {\n return rayThrough(2.0 * pixel / lens.size - 1.0);\n}",
+  "fn pointSeen(lens : Lens, ray : vec3f, depth : f32) -> vec3f {\n let depthRow = vec3f(lens.viewProjection[0].z, lens.viewProjection[1].z, lens.viewProjection[2].z);\n return lens.eye + frameConstants_.depthOfEye / (depth - dot(depthRow, ray)) * ray;\n}",
+  "fn findOnFold(lens : Lens, ribbon : Ribbon, sighting : Sighting) -> Found {\n var guess : Guess;\n guess.error = 1e30;\n let segments = ribbon.outline.segments;\n let point = pointSeen(lens, rayTo(lens, sighting.pixel), sighting.depth);\n var t1_ : f32;\n if (segments > 1.5) {\n  t1_ = placeAlong(ribbon, curveOf(ribbon), point);\n } else {\n  t1_ = 0.0;\n }\n let place = t1_;\n var segment = clamp(floor(place * segments) + 1.0, 1.0, segments);\n var step_ = select(1.0, -1.0, fract(place * segments) < 0.5);\n for (var turn = 0.0; turn < 2.0 * segments; turn += 1.0) {\n  if (segment >= 1.0 && segment <= segments) {\n   lookAtHalves(lens, ribbon, (segment - 1.0) / segments, segment / segments, upperHalf(segment, segments), sighting, &guess);\n  }\n  if (guess.error < foundError || segments < 1.5) {\n   break;\n  }\n  segment += step_;\n  step_ = -step_ - sign(step_);\n }\n return Found(pointSeen(lens, rayTo(lens, sighting.middle), guess.depth), guess.place);\n}",
+  "fn placeAcross(toLeft : f32, toRight : f32, widths : vec2f, share : f32, isUpper : bool) -> f32 {\n let isFirst = select(toRight, toLeft, isUpper) <= widths.x * (1.0 - share);\n let width = max(select(widths.y, widths.x, isFirst), 1e-6);\n return select(1.0 - 2.0 * toRight / width, 2.0 * toLeft / width - 1.0, isFirst == isUpper);\n}",
+  "fn findOnPlane(lens : Lens, ribbon : Ribbon, sighting : Sighting) -> Found {\n let segments = ribbon.outline.segments;\n let point = pointSeen(lens, rayTo(lens, sighting.pixel), sighting.depth);\n let curve = curveOf(ribbon);\n let guess = placeAlong(ribbon, curve, point) * segments;\n let segment = min(floor(guess), segments - 1.0);\n let each = 1.0 / segments;\n let low = segment * each;\n let high = low + each;\n let begin = ribbon.v0 + low * (curve.toMiddle + low * curve.bend);\n let chord = each * (curve.toMiddle + (low + high) * curve.bend);\n let ray = rayTo(lens, sighting.middle);\n let side = cross(ray, chord);\n let square = dot(side, side);\n let isAtEye = square <= 1e-12 * dot(ray, ray) * dot(chord, chord);\n var across = select(side * inverseSqrt(square), ribbon.axis, isAtEye);\n let seen = dot(ribbon.axis, across);\n across = select(across, -across, seen < 0.0);\n let first = ribbon.width * edgesAt(ribbon.outline, low);\n let second = ribbon.width * edgesAt(ribbon.outline, high);\n let ends = vec2f(first.y - first.x, second.y - second.x);\n let wide = abs(seen) * ends;\n let drawn = max(wide, vec2f(lens.minWidth * length(begin - lens.eye)));\n let grown = drawn - wide;\n var axis = ribbon.axis;\n if (grown.x + grown.y > 0.0) {\n  axis = (ends.x + ends.y) * axis + (grown.x + grown.y) * outwardsOf(across, cross(ray, ribbon.v1 - ribbon.v0));\n }\n var toEye = lens.eye - begin;\n var upwards = chord;\n if (!isEven(ribbon.outline.shape)) {\n  toEye -= 0.5 * (first.x + first.y) * ribbon.axis;\n  upwards += 0.5 * (second.x + second.y - first.x - first.y) * ribbon.axis;\n }\n let turned = cross(ray, axis);\n let steepness = dot(upwards, turned);\n let isLine = isAtEye || steepness == 0.0;\n let share = clamp(select(dot(toEye, turned) / steepness, guess - segment, isLine), 0.0, 1.0);\n let reach = 0.5 * mix(drawn.x, drawn.y, share);\n let off = dot(toEye - share * upwards, across);\n let placeX = placeAcross(reach + off, reach - off, drawn, share, upperHalf(segment + 1.0, segments));\n return Found(pointSeen(lens, ray, sighting.depth), vec2f(placeX, (segment + share) * each));\n}",
+  "fn find(lens : Lens, ribbon : Ribbon, sighting : Sighting) -> Found {\n if (isFolded(ribbon)) {\n  return findOnFold(lens, ribbon, sighting);\n }\n return findOnPlane(lens, ribbon, sighting);\n}",
+  "fn pointOf(seen : SeenBlade, found : Found) -> BladePoint {\n let ribbon = seen.ribbon;\n var point : BladePoint;\n point.position = found.point;\n point.place = found.place;\n point.tangent = tangentOf_2(curveOf(ribbon), point.place.y);\n point.axis = ribbon.axis;\n point.up = normalize(ribbon.v1 - ribbon.v0);\n point.fold = select(0.0, ribbon.fold, isFolded(ribbon));\n point.rootColor = seen.surface.root;\n point.tipColor = seen.surface.tip;\n point.look = unpackedLook(seen.surface.material.x);\n point.leafAbove = leafAreaAbove(seen.surface.material, clamp(found.place.y, 0.0, 1.0));\n point.leafBelow = max(seen.surface.material.y - point.leafAbove, 0.0);\n point.seed = ribbon.seed;\n point.finish = seen.surface.material.w;\n point.flecks = fleckCount(length(ribbon.v1 - ribbon.v0) + length(ribbon.v2 - ribbon.v1));\n return point;\n}",
+  "fn shadeFound(seen : SeenBlade, found : Found) -> vec4f {\n let point = pointOf(seen, found);\n return vec4f(bladePicture(point), 1.0 - softness(length(frameConstants_.view.eye - point.position), 1.0));\n}",
+  "fn cloudAt(place_in : vec3f) -> f32 {\n var place = place_in;\n let least = mix(0.72, 0.34, frameConstants_.clouds);\n let finest = 1.0 / 32.0;\n var sum = 0.0;\n var weight = 0.5;\n for (var octave = 0u; octave < 5u; octave++) {\n  sum += weight * valueNoise(place);\n  if (sum + weight - finest <= least) {\n   return 0.0;\n  }\n  place = 2.13 * place.yzx + vec3f(3.7, 11.1, 5.3);\n  weight *= 0.5;\n }\n return smoothstep(0.0, 0.26, sum - least);\n}",
+  "fn withClouds(color : vec3f, ray : vec3f) -> vec3f {\n let height = dot(ray, frameConstants_.skyUp);\n if (frameConstants_.clouds <= 0.0 || height <= 0.0) {\n  return color;\n }\n let place = ray * (1.9 / (height + 0.16));\n let thickness = cloudAt(place);\n if (thickness <= 0.0) {\n  return color;\n }\n let sunwards = frameConstants_.sunDirection - frameConstants_.skyUp * dot(frameConstants_.sunDirection, frameConstants_.skyUp);\n let shade = cloudAt(place + 0.35 * sunwards);\n let toSun = max(dot(ray, frameConstants_.sunDirection), 0.0);\n let lit = frameConstants_.sunColor * (0.30 * exp(-1.4 * shade) * (1.0 + 0.9 * pow(toSun, 6.0))) + 0.55 * frameConstants_.skyColor;\n let shown = thickness * 0.85 * smoothstep(0.0, 0.22, height);\n return mix(color, lit, shown);\n}",
+  "const floorAlbedo : vec3f = vec3f(0.160, 0.152, 0.130);",
+  "const floorBounce : f32 = 0.12;",
+  "fn sunOnFloor(place : vec3f) -> f32 {\n if (frameConstants_.shadow.size == 0u) {\n  return 1.0;\n }\n let depth = dot(frameConstants_.shadow.depth, vec4f(place, 1.0));\n let perMetre = dot(frameConstants_.shadow.depth.xyz, frameConstants_.sunDirection);\n return sunSeen(frameConstants_.shadow, place + frameConstants_.sunDirection * (max(0.002 - depth, 0.0) / perMetre), frameConstants_.skyUp);\n}",
+  "fn belowHorizon(color : vec3f, ray : vec3f) -> vec3f {\n let climb = dot(ray, frameConstants_.skyUp);\n if (climb >= 0.0) {\n  return color;\n }\n let plane = frameConstants_.floorPlane;\n if (plane.reach <= 0.0) {\n  return color * (1.0 - 0.35 * smoothstep(0.0, 1.0, -climb));\n }\n let distance_ = dot(plane.middle - frameConstants_.view.eye, frameConstants_.skyUp) / climb;\n if (distance_ <= 0.0) {\n  return color;\n }\n let place = frameConstants_.view.eye + distance_ * ray;\n let away = distanceFromFootprint(plane, place, cross(frameConstants_.skyUp, plane.along));\n let shown = exp(-away / plane.reach);\n if (shown < 0.002) {\n  return color;\n }\n let facing = max(dot(frameConstants_.sunDirection, frameConstants_.skyUp), 0.0);\n var t1_ : f32;\n if (facing > 0.0) {\n  t1_ = sunOnFloor(place);\n } else {\n  t1_ = 0.0;\n }\n let lit = t1_;\n let open = skyBesideWall(plane.height, away);\n let light = hemisphere(frameConstants_.skyUp) * open + frameConstants_.sunColor * (facing * mix(floorBounce * open, 1.0, lit));\n return mix(color, throughAir(floorAlbedo * light, ray, distance_), shown);\n}",
+  "fn skyPicture(ray : vec3f, place : vec2f) -> vec3f {\n if (debugMode() != debugNothing) {\n  var t1_ : vec3f;\n  if (showsBands()) {\n   t1_ = vec3f(0.0);\n  } else {\n   t1_ = dithered(develop(vec3f(0.6)), place);\n  }\n  return t1_;\n }\n var color = belowHorizon(withClouds(skyRadiance(ray), ray), ray);\n let toSun = dot(ray, frameConstants_.sunDirection);\n color += frameConstants_.sunColor * 6.0 * smoothstep(0.99985, 0.99997, toSun);\n return dithered(develop(color), place);\n}",
+  "fn halfRounded(value : vec4f) -> vec4f {\n let droppedBits = 13u;\n let bits = bitcast<vec4u>(value) + (1u << (droppedBits - 1u));\n return bitcast<vec4f>(bits & vec4u(~((1u << droppedBits) - 1u)));\n}",
+  "@group(0) @binding(9) var<storage, read> seenSamples_ : array<vec2u>;",
+  "@group(0) @binding(21) var groundLight_ : texture_multisampled_2d<f32>;",
+  "@group(0) @binding(22) var resolved_ : texture_storage_2d<rgba16float, write>;",
+  "const gatherTile : u32 = 8u;",
+  "const gatherThreads : u32 = gatherTile * gatherTile;",
+  "var<workgroup> gathered : array<u32, 256>;",
+  "var<workgroup> gatheredCount : atomic<u32>;",
+  "var<workgroup> lights : array<vec4f, 256>;",
+  "fn pixelOf(tile : vec2u, thread : u32) -> vec2u {\n return tile * gatherTile + vec2u(thread % gatherTile, thread / gatherTile);\n}",
+  "struct ShadingTask {\n thread : u32,\n s : u32,\n samples : u32,\n}",
+  "fn taskAt(i : u32) -> ShadingTask {\n return ShadingTask(gathered[i] & 0xffu, (gathered[i] >> 8u) & 0xffu, gathered[i] >> 16u);\n}",
+  "fn gatherTasks(thread : u32, seen : array<u32, 4>, first : u32, end : u32) -> u32 {\n var leaders = 0u;\n for (var s = 0u; s < samplesPerPixel; s++) {\n  var samples = 0u;\n  for (var other = 0u; other < samplesPerPixel; other++) {\n   samples |= select(0u, 1u << other, seen[other] == seen[s]);\n  }\n  if (seen[s] < first || seen[s] >= end || i32(countOneBits(samples & ((1u << s) - 1u))) != i32(countOneBits(samples)) / 2) {\n   continue;\n  }\n  leaders |= 1u << s;\n  gathered[atomicAdd(&gatheredCount, 1u)] = thread | (s << 8u) | (samples << 16u);\n }\n return leaders;\n}",
+  "fn putLight(task : ShadingTask, light : vec4f) {\n lights[samplesPerPixel * task.thread + task.s] = f32(i32(countOneBits(task.samples))) * light;\n}",
+  "fn sumOfLight(thread : u32, leaders : u32) -> vec4f {\n var sum = vec4f(0.0);\n for (var s = 0u; s < samplesPerPixel; s++) {\n  if ((leaders & (1u << s)) != 0u) {\n   sum += lights[samplesPerPixel * thread + s];\n  }\n }\n return sum;\n}",
+  "fn listedBlade(place : u32) -> SeenBlade {\n let item = visible_[place];\n let drawn = drawnBlade_3(item);\n var seen : SeenBlade;\n seen.ribbon = drawn.ribbon;\n seen.surface = bladeSurface(drawn, item, leafAreaLimitOf(frameConstants_.view, patches_[item.patchIndex]));\n return seen;\n}",
+  "@compute @workgroup_size(8, 8, 1)\nfn main(@builtin(workgroup_id) WorkGroupID_ : vec3u, @builtin(local_invocation_index) LocalInvocationIndex_ : u32) {\n let lens = lensOf();\n let thread = LocalInvocationIndex_;\n let tile = WorkGroupID_.xy;\n let pixel = pixelOf(tile, thread);\n let isInside = all(pixel < push_.size);\n if (thread == 0u) {\n  atomicStore(&gatheredCount, 0u);\n }\n workgroupBarrier();\n var seen : array<u32, 4>;\n var leaders = 0u;\n if (isInside) {\n  for (var s = 0u; s < samplesPerPixel; s++) {\n   seen[s] = seenSamples_[sampleIndex(pixel, s)].x;\n  }\n  leaders = gatherTasks(thread, seen, push_.firstBlade, ~0u);\n }\n workgroupBarrier();\n for (var i = thread; i < atomicLoad(&gatheredCount); i += gatherThreads) {\n  let task = taskAt(i);\n  let place = pixelOf(tile, task.thread);\n  let sample_ = seenSamples_[sampleIndex(place, task.s)];\n  let blade = listedBlade(sample_.x - push_.firstBlade);\n  let sighting = Sighting(vec2f(place) + samplePlace(task.s), bitcast<f32>(sample_.y), vec2f(place) + middleOf(task.samples));\n  putLight(task, shadeFound(blade, find(lens, blade.ribbon, sighting)));\n }\n workgroupBarrier();\n if (!isInside) {\n  return;\n }\n var sum = sumOfLight(thread, leaders);\n var sky = 0.0;\n for (var s = 0u; s < samplesPerPixel; s++) {\n  if (seen[s] >= push_.firstBlade) {\n   continue;\n  }\n  if (seenSamples_[sampleIndex(pixel, s)].y == 0u) {\n   sky += 1.0;\n  } else {\n   sum += textureLoad(groundLight_, vec2i(pixel), i32(s));\n  }\n }\n if (sky > 0.0) {\n  let middle = vec2f(pixel) + 0.5;\n  sum += sky * vec4f(skyPicture(normalize(rayTo(lens, middle)), middle), 1.0);\n }\n textureStore(resolved_, vec2i(pixel), halfRounded(sum / f32(samplesPerPixel)));\n}",
+  "@group(0) @binding(23) var<storage, read_write> records_ : array<vec4f>;",
+  "@compute @workgroup_size(64, 1, 1)\nfn main(@builtin(workgroup_id) WorkGroupID_ : vec3u, @builtin(local_invocation_index) LocalInvocationIndex_ : u32) {\n let place = (WorkGroupID_.y * groupsOfRow + WorkGroupID_.x) * 64u + LocalInvocationIndex_;\n if (place >= min(counters_[countBlades], push_.capacity)) {\n  return;\n }\n let item = visible_[place];\n let ribbon = drawnBlade_3(item).ribbon;\n records_[3u * place] = vec4f(ribbon.v0, bitcast<f32>(item.blade));\n records_[3u * place + 1u] = vec4f(ribbon.v1, ribbon.width);\n records_[3u * place + 2u] = vec4f(ribbon.v2, 0.0);\n}",
+  "fn decodeNormal32(bits : u32) -> vec3f {\n let x = f32((i32(bits & 65535u) ^ 32768) - 32768) / 32767.0;\n let y = f32((i32(bits >> 16u) ^ 32768) - 32768) / 32767.0;\n let z = 1.0 - abs(x) - abs(y);\n let fold = max(-z, 0.0);\n return normalize(vec3f(x + select(fold, -fold, x >= 0.0), y + select(fold, -fold, y >= 0.0), z));\n}",
+  "var<private> position : vec3f;",
+  "var<private> normal : u32;",
+  "var<private> uv : vec2f;",
+  "var<private> color : vec4f;",
+  "var<private> outPosition : vec3f;",
+  "var<private> outNormal : vec3f;",
+  "var<private> outUv : vec2f;",
+  "var<private> outVertexColor : vec4f;",
+  "var<private> ownPosition : vec4f;\nstruct Drawn {\n @builtin(position) @invariant at : vec4f,\n @location(0) outPosition : vec3f,\n @location(1) outNormal : vec3f,\n @location(2) outUv : vec2f,\n @location(3) outVertexColor : vec4f,\n}\nfn run() {\n outPosition = position;\n outNormal = decodeNormal32(normal);\n outUv = uv;\n outVertexColor = color;\n ownPosition = frameConstants_.viewProjection * vec4f(position, 1.0) * vec4f(1.0, -1.0, 1.0, 1.0);\n}\n@vertex\nfn main(@location(0) position_in : vec3f, @location(1) normal_in : u32, @location(2) uv_in : vec2f, @location(3) color_in : vec4f) -> Drawn {\n position = position_in;\n normal = normal_in;\n uv = uv_in;\n color = color_in;\n run();\n return Drawn(ownPosition, outPosition, outNormal, outUv, outVertexColor);\n}",
+  "fn valueNoiseSlope(p : vec3f) -> vec4f {\n let cell = floor(p);\n let f = p - cell;\n let s = f * f * (vec3f(3.0) - 2.0 * f);\n let slope = 6.0 * f * (vec3f(1.0) - f);\n let near = latticePoint(i32(cell.x), i32(cell.y), i32(cell.z));\n let far = near + latticeZ;\n let h000 = latticeHeight(near);\n let h010 = latticeHeight(near + latticeY);\n let h001 = latticeHeight(far);\n let h011 = latticeHeight(far + latticeY);\n let d00 = latticeHeight(near + latticeX) - h000;\n let d10 = latticeHeight(near + latticeX + latticeY) - h010;\n let d01 = latticeHeight(far + latticeX) - h001;\n let d11 = latticeHeight(far + latticeX + latticeY) - h011;\n let h00 = h000 + s.x * d00;\n let h10 = h010 + s.x * d10;\n let h01 = h001 + s.x * d01;\n let h11 = h011 + s.x * d11;\n let h0 = mix(h00, h10, s.y);\n let h1 = mix(h01, h11, s.y);\n return latticeUnit * vec4f(slope.x * mix(mix(d00, d10, s.y), mix(d01, d11, s.y), s.z), slope.y * mix(h10 - h00, h11 - h01, s.z), slope.z * (h1 - h0), mix(h0, h1, s.z));\n}",
+  "const noBladeSeed : u32 = 0xffffffffu;",
+  "fn toneOf(grass : vec3f) -> f32 {\n return select(0.5, grass.z / grass.x, grass.x > 0.0);\n}",
+  "fn swardShare(cover : Cover, leafArea : f32, thinned : f32) -> f32 {\n return cover.thatch * (undergrowthBelow(leafArea) - undergrowthBelow(leafArea / thinned));\n}",
+  "fn swardBrightness(cosine : f32) -> f32 {\n return 0.6 - 0.1 * cosine;\n}",
+  "fn meadowShade(position : vec3f, tone : f32) -> vec3f {\n let meadow = meadowAt(position);\n let region = regionAt(position);\n let hue = 0.45 * (0.7 * (tone - 0.5) + 1.1 * (meadow - 0.5) + 1.2 * (region - 0.5));\n let light = 1.0 + 0.45 * (0.6 * (tone - 0.5) + 0.5 * (meadow - 0.5) + 0.4 * (region - 0.5));\n return light * shiftOf(hue);\n}",
+  "struct GroundDetail {\n albedo : vec3f,\n brightness : f32,\n slope : vec3f,\n}",
+  "fn shownAt(size : f32, pixel : f32) -> f32 {\n return clamp(0.35 * size / pixel - 1.0, 0.0, 1.0);\n}",
+  "const crumbSizes : u32 = 5u;",
+  "const nextCrumb : f32 = 0.4;",
+  "const meanCrumb : f32 = 0.3027;",
+  "const noiseDeviation : f32 = 0.185;",
+  "fn slantedLattice() -> mat3x3f {\n return mat3x3f(0.36, 0.48, -0.8, -0.8, 0.6, 0.0, 0.48, 0.64, 0.6);\n}",
+  "fn addCrumbs(detail : ptr<function, GroundDetail>, position : vec3f, size_in : f32, pixel : f32, roughness : f32) {\n var size = size_in;\n let turn = slantedLattice();\n var amount = 0.2 * roughness;\n for (var i = 0u; i < crumbSizes; i++) {\n  let shown = shownAt(size, pixel);\n  if (shown <= 0.0) {\n   break;\n  }\n  let other = (i & 1u) != 0u;\n  let place = position / size + 0.4 * (*detail).slope + 17.0 * f32(i);\n  let noise = valueNoiseSlope(select(turn * place, place * turn, other));\n  let rise = select(vec3f(noise.xyz) * turn, turn * vec3f(noise.xyz), other);\n  let height = 2.0 * noise.w - 1.0;\n  (*detail).brightness += amount * shown * (abs(height) - meanCrumb);\n  (*detail).slope += amount * shown * select(1.0, -1.0, height < 0.0) * rise;\n  size *= nextCrumb;\n  amount = min(1.4 * amount, 0.38 * roughness);\n }\n}",
+  "fn byteOf(hash : u32, i : u32) -> f32 {\n return f32((hash >> (8u * i)) & 255u) * (1.0 / 256.0);\n}",
+  "const stoneChance : f32 = 0.4;",
+  "const smallestStone : f32 = 0.08;",
+  "const largestStone : f32 = 0.33;",
+  "fn stoneShare() -> f32 {\n let low = smallestStone * smallestStone;\n let high = largestStone * largestStone;\n let meanCube = (high * high - low * low) / (4.0 * (largestStone - smallestStone));\n return stoneChance * 4.18879 * meanCube;\n}",
+  "fn layStones(detail : ptr<function, GroundDetail>, mean : ptr<function, vec3f>, rock : vec3f, position : vec3f, edge : f32, pixel : f32, amount : f32) {\n let shown = amount * shownAt(0.4 * edge, pixel);\n if (shown <= 0.0) {\n  return;\n }\n (*mean) = mix((*mean), rock, shown * stoneShare());\n let turn = slantedLattice();\n let place = turn * (position / edge + 0.1 * (*detail).slope);\n let cell = floor(place);\n let hash = mixUint(latticePoint(i32(cell.x), i32(cell.y), i32(cell.z)) + 0x51ed270bu);\n if (f32(hash >> 8u) * (1.0 / 16777216.0) >= stoneChance) {\n  return;\n }\n let more = mixUint(hash + 0x9e3779b9u);\n let first = 0.82 + 0.4 * byteOf(hash, 0u);\n let second = 0.82 + 0.4 * byteOf(more, 0u);\n let radii = mix(smallestStone, largestStone, byteOf(mixUint(more), 0u)) * vec3f(first, 1.0 / (first * second), second);\n let middle = vec3f(0.5) + (vec3f(1.0) - 2.0 * radii) * (vec3f(byteOf(more, 1u), byteOf(more, 2u), byteOf(more, 3u)) - vec3f(0.5));\n let out_ = (place - cell - middle) / radii;\n let soft = max(pixel / (edge * radii.x), 0.08);\n let seen = shown * clamp((1.0 - length(out_)) / soft + 0.5, 0.0, 1.0);\n (*detail).albedo = mix((*detail).albedo, (0.5 + byteOf(mixUint(more), 1u)) * rock, seen);\n (*detail).slope = mix((*detail).slope, 0.4 * (*detail).slope - 0.8 * (out_ * turn), seen);\n (*detail).brightness = mix((*detail).brightness, 1.0, seen);\n}",
+  "const strawChance : f32 = 0.4;",
+  "const strawLength : f32 = 0.27;",
+  "const strawWidth : f32 = 0.013;",
+  "const strawLayers : u32 = 3u;",
+  "const strawColor : vec3f = vec3f(0.21, 0.165, 0.095);",
+  "fn lineSeen(distance_ : f32, half_ : f32, pixel : f32) -> f32 {\n return clamp((distance_ + half_) / pixel + 0.5, 0.0, 1.0) - clamp((distance_ - half_) / pixel + 0.5, 0.0, 1.0);\n}",
+  "fn layStraws(detail : ptr<function, GroundDetail>, mean : ptr<function, vec3f>, straw : vec3f, place_in : vec2f, edge : f32, pixel : f32, amount : f32) {\n var place = place_in;\n let shown = amount * shownAt(edge, pixel);\n if (shown <= 0.0) {\n  return;\n }\n let width = max(pixel / edge, 0.3 * strawWidth);\n for (var layer = 0u; layer < strawLayers; layer++) {\n  (*mean) = mix((*mean), straw, shown * strawChance * 4.0 * strawLength * strawWidth);\n  place = vec2f(0.8 * place.x - 0.6 * place.y, 0.6 * place.x + 0.8 * place.y) + vec2f(0.37, 0.71);\n  let cell = floor(place);\n  let drift = floor(0.25 * place);\n  let many = mixUint(latticePoint(i32(drift.x), i32(drift.y), i32(layer) + 7));\n  let hash = mixUint(latticePoint(i32(cell.x), i32(cell.y), i32(layer)));\n  if (f32(hash >> 8u) * (1.0 / 16777216.0) >= 2.0 * strawChance * byteOf(many, 1u)) {\n   continue;\n  }\n  let more = mixUint(hash + 0x9e3779b9u);\n  let angle = 6.2831853 * byteOf(more, 0u);\n  let along = vec2f(cos(angle), sin(angle));\n  let from_ = place - cell - vec2f(0.5);\n  let t = dot(from_, along);\n  let beside = along.x * from_.y - along.y * from_.x + (1.6 * byteOf(more, 1u) - 0.8) * (t * t - 0.04);\n  let length_ = strawLength * (0.4 + 1.2 * byteOf(more, 2u));\n  let seen = shown * lineSeen(beside, strawWidth, width) * lineSeen(t, length_, width);\n  (*detail).albedo = mix((*detail).albedo, (0.35 + 1.3 * byteOf(more, 3u)) * straw, seen);\n }\n}",
+  "const damp : f32 = 7.0;",
+  "fn turfIn(albedo : vec3f) -> f32 {\n return smoothstep(1.15, 1.6, albedo.y / max(max(albedo.x, albedo.z), 1e-4));\n}",
+  "fn groundDetail(position : vec3f, normal : vec3f, up : vec3f, albedo : vec3f, size : f32, pixel : f32) -> GroundDetail {\n var detail : GroundDetail;\n detail.albedo = albedo;\n detail.brightness = 1.0;\n detail.slope = vec3f(0.0);\n if (shownAt(damp * size, pixel) <= 0.0) {\n  return detail;\n }\n let light = dot(albedo, vec3f(0.2126, 0.7152, 0.0722));\n let soil = 1.0 - 0.75 * smoothstep(0.15, 0.4, light);\n let wide = damp * size;\n detail.brightness += 0.5 * soil * shownAt(wide, pixel) * (valueNoise(position / wide) - 0.5);\n addCrumbs(&detail, position, size, pixel, soil);\n let lies = soil * (1.0 - turfIn(albedo)) * smoothstep(0.64, 0.85, dot(normal, up));\n var mean = albedo;\n let dark = min(16.0 * light, 1.0);\n let rock = mix(albedo, dark * vec3f(0.14, 0.13, 0.115), 0.5);\n layStones(&detail, &mean, rock, position, 0.16 * size, pixel, lies);\n layStones(&detail, &mean, rock, position, 0.55 * size, pixel, lies);\n let steep = abs(normal);\n let place = select(select(vec2f(position.x, position.y), vec2f(position.y, position.z), steep.x >= steep.z), vec2f(position.x, position.z), steep.y >= max(steep.x, steep.z));\n layStraws(&detail, &mean, dark * strawColor, place / (0.5 * size), 0.5 * size, pixel, lies);\n detail.albedo = max(detail.albedo + albedo - mean, vec3f(0.0));\n return detail;\n}",
+  "fn raggedShare(mean : f32, position : vec3f, cell : f32, size : f32, pixel : f32) -> f32 {\n let amount = 0.75 * (1.0 - smoothstep(0.7, 0.9, mean));\n if (mean <= 0.0 || amount <= 0.0) {\n  return mean;\n }\n var step_ = max(0.5 * cell, size);\n let whole = shownAt(step_, pixel);\n var weight = whole;\n var sum = 0.0;\n var squares = 0.0;\n for (var i = 0u; i < 4u && weight > 0.0; i++) {\n  sum += weight * (valueNoise(position / step_ + 31.0 * f32(i)) - 0.5);\n  squares += weight * weight;\n  step_ = select(0.38 * step_, 0.6 * size, i == 0u);\n  weight = shownAt(step_, pixel);\n }\n if (squares <= 0.0) {\n  return mean;\n }\n let order = 1.0 / (1.0 + exp(-1.6 * sum / (noiseDeviation * sqrt(squares))));\n let half_ = min(0.06, 0.5 * min(mean, 1.0 - mean));\n let covered = clamp(0.5 * (mean - order) / max(half_, 1e-6) + 0.5, 0.0, 1.0);\n return mix(mean, covered, amount * whole);\n}",
+  "struct GroundPoint {\n position : vec3f,\n normal : vec3f,\n albedo : vec3f,\n isDoubleSided : bool,\n}",
+  "struct Relief {\n brightness : f32,\n slope : vec3f,\n}",
+  "fn addNoise(relief : ptr<function, Relief>, position : vec3f, stretch : vec3f, size : f32, amount : f32) {\n let noise = valueNoiseSlope(position * stretch / size);\n (*relief).brightness += amount * (noise.w - 0.5);\n (*relief).slope += 0.5 * amount * (noise.xyz * stretch);\n}",
+  "fn crumbs(position : vec3f, size_in : f32, pixel : f32) -> Relief {\n var size = size_in;\n var relief = Relief(1.0, vec3f(0.0));\n for (var octave = 0u; octave < 4u; octave++) {\n  let shown = shownAt(size, pixel);\n  if (shown <= 0.0) {\n   break;\n  }\n  addNoise(&relief, position + 17.0 * f32(octave) * size, vec3f(1.0), size, 0.4 * shown);\n  size *= 0.37;\n }\n return relief;\n}",
+  "fn strands(position : vec3f, size : f32, pixel : f32) -> Relief {\n var relief = Relief(1.0, vec3f(0.0));\n let thin = 0.12 * size;\n let shown = shownAt(thin, pixel);\n if (shown > 0.0) {\n  let turned = mat3x3f(0.36, 0.48, -0.8, -0.8, 0.6, 0.0, 0.48, 0.64, 0.6);\n  var turnedRelief = Relief(1.0, vec3f(0.0));\n  addNoise(&relief, position, vec3f(0.15, 1.0, 1.0), thin, 0.45 * shown);\n  addNoise(&relief, position, vec3f(1.0, 1.0, 0.15), thin, 0.45 * shown);\n  addNoise(&turnedRelief, turned * position, vec3f(0.15, 1.0, 1.0), thin, 0.45 * shown);\n  relief.brightness += turnedRelief.brightness - 1.0;\n  relief.slope += turnedRelief.slope * turned;\n }\n return relief;\n}",
+  "const bareStructure : f32 = 0.32;",
+  "const hiddenBelow : f32 = 0.93;",
+  "const placeStep : f32 = 2.5e-7;",
+  "const darkestCrumb : f32 = 0.85;",
+  "fn groundPicture(point : GroundPoint) -> vec4f {\n let ray = frameConstants_.view.eye - point.position;\n let distance_ = length(ray);\n let toEye = ray / max(distance_, 1e-6);\n var n = normalize(point.normal);\n if (point.isDoubleSided && dot(n, toEye) < 0.0) {\n  n = -n;\n }\n let farthest = frameConstants_.cover.farthest;\n let grown = 1.0 - smoothstep(0.8 * farthest, farthest, distance_);\n let grass = grassAt(frameConstants_.cover, point.position);\n let blades = grass.x * grown;\n let leafArea = frameConstants_.cover.thinned * blades;\n let far = abs(point.position);\n let pixel = max(distance_ / frameConstants_.view.pixelsPerUnit, placeStep * max(far.x, max(far.y, far.z)));\n let size = select(bareStructure, frameConstants_.cover.structure, frameConstants_.cover.structure > 0.0);\n let closed = undergrowthBelow(leafArea);\n let ragged = mix(raggedShare(closed, point.position, 1.0 / max(frameConstants_.cover.cellsPerMetre, 1e-6), size, pixel), closed, turfIn(point.albedo));\n let under = frameConstants_.cover.thatch * ragged;\n var albedo = point.albedo;\n var shade = vec3f(1.0);\n var brightness = 1.0 - under;\n var rough = vec3f(0.0);\n var crumbled = vec3f(0.0);\n if (under < hiddenBelow) {\n  let detail = groundDetail(point.position, n, frameConstants_.skyUp, albedo, size, pixel);\n  albedo = detail.albedo;\n  brightness *= detail.brightness;\n  crumbled = (1.0 - under) * (detail.slope - n * dot(n, detail.slope));\n }\n if (under > 0.0) {\n  var relief = crumbs(point.position, size, pixel);\n  let litter = strands(point.position, size, pixel);\n  brightness += under * max(relief.brightness * litter.brightness, 0.2);\n  rough = under * (relief.slope + litter.slope);\n  shade = meadowShade(point.position, toneOf(grass));\n  albedo = mix(albedo, shade * frameConstants_.cover.undergrowth, under);\n }\n n = normalize(n - (rough - n * dot(n, rough)));\n let even = max(dot(n, frameConstants_.sunDirection), 0.0);\n let turned = dot(crumbled, frameConstants_.sunDirection) / max(even, 0.3);\n let facing = even * (1.0 - clamp(turned, -darkestCrumb, darkestCrumb));\n var t1_ : f32;\n if (even > 0.0) {\n  t1_ = sunSeen(frameConstants_.shadow, point.position, n);\n } else {\n  t1_ = 0.0;\n }\n let seen = t1_;\n var below = sunBelow(leafProjectionOf(frameConstants_.cover), leafArea, even);\n let among = sunAmongBlades(frameConstants_.bladeShadow, point.position, noBladeSeed);\n below = mix(below, among.x, among.y);\n let light = hemisphere(normalize(n - crumbled)) * skyBelow(leafArea) + lightAmongLeaves(leafArea, 0.0, even, seen * frameConstants_.sunColor, 1.25 * frameConstants_.skyColor, 1.5 * frameConstants_.cover.sward) + frameConstants_.sunColor * (facing * seen * below);\n var color = brightness * albedo * light;\n var t2_ : f32;\n if (closed > 0.0) {\n  t2_ = swardShare(frameConstants_.cover, leafArea, frameConstants_.cover.thinned * leavesPerDrawn(frameConstants_.view, distance_)) * (ragged / closed);\n } else {\n  t2_ = 0.0;\n }\n let sward = t2_;\n if (sward > 0.0) {\n  let open = hemisphere(n) + frameConstants_.sunColor * (even * seen);\n  color = mix(color, brightness * swardBrightness(max(dot(n, toEye), 0.0)) * shade * frameConstants_.cover.sward * open, sward);\n }\n if (debugMode() != debugNothing) {\n  color = select(vec3f(0.35) * (0.5 + 0.5 * even), vec3f(0.0), showsBands());\n } else {\n  color = throughAir(color, -toEye, distance_);\n }\n return vec4f(develop(color), 1.0 - softness(distance_, min(blades, 1.0)));\n}",
+  "const maxProbes : f32 = 8.0;",
+  "struct ImageProbes {\n first : vec2f,\n step_ : vec2f,\n count : u32,\n lod : f32,\n}",
+  "fn imageProbes(uv : vec2f, right : vec2f, down : vec2f, size : vec2f) -> ImageProbes {\n let across = length(right * size);\n let along = length(down * size);\n let longest = max(across, along);\n let ratio = select(1.0, longest / max(min(across, along), 1e-6), longest > 1.0);\n let count = clamp(ceil(ratio), 1.0, maxProbes);\n var probes : ImageProbes;\n probes.step_ = select(down, right, across > along) / (count + 1.0);\n probes.first = uv - 0.5 * (count - 1.0) * probes.step_;\n probes.count = u32(count);\n probes.lod = log2(max(longest / count, 1e-6));\n return probes;\n}",
+  "struct Material {\n @align(16) color : vec3f,\n isDoubleSided : u32,\n}",
+  "@group(1) @binding(0) var<uniform> material_ : Material;",
+  "@group(1) @binding(1) var baseColor_ : texture_2d<f32>;\n@group(1) @binding(2) var baseColor_sampler : sampler;",
+  "var<private> outColor : vec4f;",
+  "var<private> ownFragCoord : vec4f;\nstruct Drawn {\n @location(0) outColor : vec4f,\n}\nfn run() {\n let right = dpdx(outUv);\n let down = dpdy(outUv);\n let first = sampleIndex(vec2u(ownFragCoord.xy), 0u);\n var isSeen = false;\n for (var s = 0u; s < samplesPerPixel; s++) {\n  isSeen = isSeen || seenSamples_[first + s].x < push_.firstBlade;\n }\n outColor = vec4f(0.0);\n if (!isSeen) {\n  return;\n }\n let probes = imageProbes(outUv, right, down, vec2f(vec2i(textureDimensions(baseColor_))));\n var texel = vec3f(0.0);\n for (var i = 0u; i < probes.count; i++) {\n  texel += textureSampleLevel(baseColor_, baseColor_sampler, probes.first + f32(i) * probes.step_, probes.lod).rgb;\n }\n var point : GroundPoint;\n point.position = outPosition;\n point.normal = outNormal;\n point.albedo = material_.color * (texel / f32(probes.count)) * outVertexColor.rgb;\n point.isDoubleSided = material_.isDoubleSided != 0u;\n outColor = groundPicture(point);\n}\n@fragment\nfn main(@builtin(position) FragCoord_ : vec4f, @location(0) outPosition_in : vec3f, @location(1) outNormal_in : vec3f, @location(2) outUv_in : vec2f, @location(3) outVertexColor_in : vec4f) -> Drawn {\n ownFragCoord = FragCoord_;\n outPosition = outPosition_in;\n outNormal = outNormal_in;\n outUv = outUv_in;\n outVertexColor = outVertexColor_in;\n run();\n return Drawn(outColor);\n}",
+  "var<private> ownPosition : vec4f;\nstruct Drawn {\n @builtin(position) @invariant at : vec4f,\n}\nfn run() {\n let place = vec4f(position, 1.0);\n let pixel = vec2f(dot(frameConstants_.shadow.across, place), dot(frameConstants_.shadow.down, place));\n let clip = pixel * (2.0 / f32(frameConstants_.shadow.size)) - 1.0;\n ownPosition = vec4f(clip.x, -clip.y, dot(frameConstants_.shadow.depth, place), 1.0);\n}\n@vertex\nfn main(@location(0) position_in : vec3f) -> Drawn {\n position = position_in;\n run();\n return Drawn(ownPosition);\n}",
+  "var<private> ownPosition : vec4f;\nvar<private> ownVertexIndex : u32;\nstruct Drawn {\n @builtin(position) @invariant at : vec4f,\n}\nfn run() {\n ownPosition = vec4f(select(-1.0, 3.0, ownVertexIndex == 1u), select(-1.0, 3.0, ownVertexIndex == 2u), 0.0, 1.0);\n}\n@vertex\nfn main(@builtin(vertex_index) VertexIndex_ : u32) -> Drawn {\n ownVertexIndex = VertexIndex_;\n run();\n return Drawn(ownPosition);\n}",
+  "@group(0) @binding(0) var resolvedPicture_ : texture_2d<f32>;",
+  "fn pixelAt(pixel : vec2i) -> vec4f {\n return textureLoad(resolvedPicture_, clamp(pixel, vec2i(0), vec2i(textureDimensions(resolvedPicture_)) - 1), 0);\n}",
+  "const softSide : f32 = 1.0 / 6.0;",
+  "fn splineAt(offset : i32) -> f32 {\n return select(softSide, 1.0 - 2.0 * softSide, offset == 0);\n}",
+  "fn reconstructed(pixel : vec2i) -> vec3f {\n let here = pixelAt(pixel);\n let soft = 1.0 - here.a;\n var sum = here.rgb;\n if (soft <= 0.0) {\n  return sum;\n }\n for (var y = -1; y <= 1; y++) {\n  for (var x = -1; x <= 1; x++) {\n   let there = pixelAt(pixel + vec2i(x, y));\n   sum += splineAt(x) * splineAt(y) * min(soft, 1.0 - there.a) * (there.rgb - here.rgb);\n  }\n }\n return sum;\n}",
+  "var<private> ownFragCoord : vec4f;\nstruct Drawn {\n @location(0) outColor : vec4f,\n}\nfn run() {\n var color = clamp(reconstructed(vec2i(ownFragCoord.xy)), vec3f(0.0), vec3f(1.0));\n color = select(12.92 * color, 1.055 * pow(color, vec3f(1.0 / 2.4)) - 0.055, color > vec3f(0.0031308));\n outColor = vec4f(color, 1.0);\n}\n@fragment\nfn main(@builtin(position) FragCoord_ : vec4f) -> Drawn {\n ownFragCoord = FragCoord_;\n run();\n return Drawn(outColor);\n}"
+];
+var stages = {
+  walk: { head: "", pieces: [0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15, 16, 17, 18, 19, 20, 21, 22, 23, 24, 25, 26, 27, 28, 29, 30, 31, 32, 33, 34, 35, 36, 37, 38, 39, 40, 41, 42, 43, 44, 45, 46, 47, 48, 49, 50, 51, 52, 53, 54, 55, 56, 57, 58, 59, 60, 61, 62, 63, 64, 65, 66, 67, 68, 69], resources: { "frameConstants": 0, "push": 2, "patches": 5, "visiblePatches": 10, "counters": 12, "widest": 14, "present": 15, "cellBits": 19 } },
+  arguments: { head: "", pieces: [39, 40, 41, 70, 71, 45, 72, 73, 74, 75, 76, 46, 77, 78, 79, 80], resources: { "push": 2, "counters": 12, "arguments": 13 } },
+  update: { head: "", pieces: [81, 82, 83, 84, 85, 86, 87, 88, 89, 0, 90, 91, 92, 93, 94, 95, 96, 1, 97, 98, 99, 100, 101, 102, 103, 104, 105, 106, 107, 2, 3, 4, 108, 109, 110, 111, 112, 113, 114, 6, 8, 115, 116, 10, 117, 118, 11, 12, 119, 13, 14, 15, 120, 16, 17, 18, 121, 122, 123, 124, 125, 126, 127, 128, 19, 20, 21, 22, 23, 24, 25, 26, 27, 28, 29, 129, 130, 31, 32, 131, 132, 133, 134, 135, 136, 137, 138, 139, 140, 141, 142, 33, 34, 143, 144, 145, 146, 147, 148, 149, 150, 151, 152, 153, 35, 36, 154, 155, 156, 157, 158, 159, 37, 38, 160, 161, 39, 40, 41, 162, 163, 42, 164, 165, 44, 45, 72, 166, 46, 167, 168, 47, 49, 169, 170, 171, 172, 173, 174, 50, 51, 52, 53, 54, 55, 56, 57, 58, 175, 176, 177, 178, 179, 180, 181, 182, 183, 184, 185, 186, 187, 188, 189, 190, 191, 192, 193, 194, 195, 196, 197, 198, 199, 200, 201, 202, 203, 204, 205, 206, 207, 208, 209, 210, 62, 63, 64, 211, 212, 213, 214, 215, 216], resources: { "frameConstants": 0, "looks": 1, "push": 2, "blades": 3, "states": 4, "patches": 5, "visiblePatches": 10, "visible": 11, "counters": 12, "patchTimes": 16, "cellBits": 19 } },
+  raster: { head: "", pieces: [81, 90, 91, 92, 94, 95, 96, 1, 97, 98, 99, 217, 100, 101, 102, 103, 104, 105, 107, 2, 3, 8, 218, 19, 20, 21, 22, 23, 24, 25, 26, 131, 132, 133, 135, 136, 138, 139, 140, 142, 219, 220, 221, 222, 223, 224, 225, 226, 227, 228, 229, 230, 231, 232, 233, 234, 33, 235, 236, 237, 238, 239, 34, 240, 143, 144, 146, 147, 148, 149, 150, 151, 152, 35, 36, 157, 158, 241, 242, 37, 38, 160, 161, 39, 40, 41, 162, 243, 42, 244, 44, 72, 245, 73, 46, 167, 168, 246, 247, 248, 249, 250, 251, 252, 253, 254, 255, 49, 256, 169, 170, 171, 172, 175, 181, 257, 258, 259, 260, 261, 262, 263, 264, 265, 266, 267, 268, 269, 270, 271, 272, 273, 274, 275, 276, 277, 278, 279, 280, 281, 282, 283, 284, 285, 286, 287, 288, 289, 290, 291, 292, 293, 294, 295, 296, 297, 298, 299, 300, 301, 302, 303, 304, 305, 306, 307, 308, 309, 77, 310, 311, 312, 313, 314, 315, 316, 317, 318, 319, 320, 321], resources: { "frameConstants": 0, "looks": 1, "push": 2, "blades": 3, "states": 4, "patches": 5, "seenSamples": 9, "visible": 11, "counters": 12, "quads": 17, "rowBlocks": 18 } },
+  rasterQuads: { head: "", pieces: [39, 40, 41, 70, 73, 46, 249, 266, 267, 268, 269, 274, 275, 169, 170, 276, 277, 322, 323, 288, 293, 324, 325, 306, 326, 327, 328, 329, 330, 308, 309, 77, 310, 311, 78, 331, 332, 333], resources: { "push": 2, "seenSamples": 9, "counters": 12, "quads": 17, "rowBlocks": 18 } },
+  shadow: { head: "", pieces: [81, 0, 90, 91, 92, 94, 95, 96, 1, 97, 98, 99, 217, 100, 101, 102, 103, 104, 105, 107, 2, 3, 4, 8, 115, 10, 118, 11, 12, 119, 13, 14, 15, 120, 16, 17, 18, 19, 20, 21, 22, 23, 24, 25, 26, 131, 132, 133, 134, 135, 136, 138, 139, 140, 142, 219, 220, 221, 222, 223, 224, 225, 226, 227, 228, 229, 230, 231, 232, 233, 234, 33, 235, 236, 237, 238, 239, 34, 240, 143, 144, 146, 147, 148, 149, 150, 151, 152, 35, 36, 157, 158, 159, 241, 37, 38, 160, 161, 39, 40, 41, 162, 243, 42, 164, 334, 74, 46, 167, 168, 47, 246, 247, 249, 335, 250, 251, 252, 253, 254, 255, 169, 170, 50, 51, 52, 53, 54, 55, 56, 57, 58, 175, 176, 177, 178, 181, 257, 258, 259, 260, 261, 336, 337, 269, 272, 273, 274, 275, 276, 277, 279, 280, 281, 282, 283, 286, 287, 288, 289, 290, 291, 292, 293, 295, 296, 297, 302, 303, 304, 305, 306, 338, 339, 340], resources: { "frameConstants": 0, "looks": 1, "push": 2, "blades": 3, "states": 4, "patches": 5, "seenSamples": 9, "visiblePatches": 10, "arguments": 13 } },
+  raster64: { head: "enable atomic_vec2u_min_max;\n", pieces: [81, 90, 91, 92, 94, 95, 96, 1, 97, 98, 99, 217, 100, 101, 102, 103, 104, 105, 107, 2, 3, 8, 218, 19, 20, 21, 22, 23, 24, 25, 26, 131, 132, 133, 135, 136, 138, 139, 140, 142, 219, 220, 221, 222, 223, 224, 225, 226, 227, 228, 229, 230, 231, 232, 233, 234, 33, 235, 236, 237, 238, 239, 34, 240, 143, 144, 146, 147, 148, 149, 150, 151, 152, 35, 36, 157, 158, 241, 242, 37, 38, 160, 161, 39, 40, 41, 162, 243, 42, 244, 44, 72, 245, 73, 46, 167, 168, 246, 247, 248, 249, 250, 251, 252, 253, 254, 255, 49, 256, 169, 170, 171, 172, 175, 181, 257, 258, 259, 260, 261, 262, 263, 264, 265, 266, 267, 268, 269, 270, 271, 272, 273, 274, 275, 341, 342, 278, 279, 280, 281, 282, 283, 284, 285, 286, 287, 288, 289, 290, 291, 292, 293, 294, 295, 296, 297, 298, 299, 300, 301, 302, 303, 304, 305, 306, 307, 308, 309, 77, 310, 311, 312, 313, 314, 315, 316, 317, 318, 319, 320, 321], resources: { "frameConstants": 0, "looks": 1, "push": 2, "blades": 3, "states": 4, "patches": 5, "seenSamples": 9, "visible": 11, "counters": 12, "quads": 17, "rowBlocks": 18 } },
+  rasterQuads64: { head: "enable atomic_vec2u_min_max;\n", pieces: [39, 40, 41, 70, 73, 46, 249, 266, 267, 268, 269, 274, 275, 169, 170, 341, 342, 343, 323, 288, 293, 324, 325, 306, 326, 327, 328, 329, 330, 308, 309, 77, 310, 311, 78, 331, 332, 333], resources: { "push": 2, "seenSamples": 9, "counters": 12, "quads": 17, "rowBlocks": 18 } },
+  shadow64: { head: "enable atomic_vec2u_min_max;\n", pieces: [81, 0, 90, 91, 92, 94, 95, 96, 1, 97, 98, 99, 217, 100, 101, 102, 103, 104, 105, 107, 2, 3, 4, 8, 115, 10, 118, 11, 12, 119, 13, 14, 15, 120, 16, 17, 18, 19, 20, 21, 22, 23, 24, 25, 26, 131, 132, 133, 134, 135, 136, 138, 139, 140, 142, 219, 220, 221, 222, 223, 224, 225, 226, 227, 228, 229, 230, 231, 232, 233, 234, 33, 235, 236, 237, 238, 239, 34, 240, 143, 144, 146, 147, 148, 149, 150, 151, 152, 35, 36, 157, 158, 159, 241, 37, 38, 160, 161, 39, 40, 41, 162, 243, 42, 164, 334, 74, 46, 167, 168, 47, 246, 247, 249, 335, 250, 251, 252, 253, 254, 255, 169, 170, 50, 51, 52, 53, 54, 55, 56, 57, 58, 175, 176, 177, 178, 181, 257, 258, 259, 260, 261, 336, 337, 269, 272, 273, 274, 275, 341, 342, 279, 280, 281, 282, 283, 286, 287, 288, 289, 290, 291, 292, 293, 295, 296, 297, 302, 303, 304, 305, 306, 338, 339, 340], resources: { "frameConstants": 0, "looks": 1, "push": 2, "blades": 3, "states": 4, "patches": 5, "seenSamples": 9, "visiblePatches": 10, "arguments": 13 } },
+  seed: { head: "", pieces: [27, 28, 39, 40, 41, 249, 266, 274, 275, 344, 345, 346, 347, 348, 349, 350, 351], resources: { "push": 2, "seenSamples": 9, "cellBits": 19, "groundDepth": 20 } },
+  resolve: { head: "", pieces: [81, 82, 83, 84, 85, 86, 87, 88, 89, 0, 90, 91, 92, 94, 95, 96, 1, 97, 98, 99, 217, 100, 101, 102, 103, 104, 105, 107, 352, 353, 2, 354, 355, 3, 356, 357, 358, 359, 360, 361, 362, 363, 364, 365, 366, 4, 367, 368, 369, 370, 371, 108, 372, 109, 110, 111, 373, 10, 11, 12, 13, 14, 15, 16, 17, 18, 19, 20, 21, 22, 23, 24, 25, 26, 374, 375, 131, 132, 133, 135, 136, 138, 139, 140, 142, 219, 376, 220, 221, 222, 223, 224, 225, 226, 227, 228, 229, 230, 377, 231, 232, 233, 234, 235, 236, 237, 238, 239, 34, 240, 143, 144, 146, 147, 148, 149, 150, 151, 152, 35, 378, 379, 36, 157, 158, 241, 242, 37, 38, 160, 161, 39, 40, 41, 162, 243, 42, 380, 381, 382, 244, 167, 168, 383, 384, 385, 249, 266, 267, 268, 270, 271, 272, 273, 274, 275, 386, 387, 388, 389, 390, 391, 392, 393, 394, 395, 396, 397, 398, 399, 400, 401, 402, 403, 404, 405, 406, 407, 408, 409, 410, 411, 412, 413, 414, 415, 416, 417, 418, 419, 420, 421, 422, 423, 424, 425, 426, 427, 428, 429, 430, 431, 432, 433, 434, 435, 436, 437, 438, 439, 440, 441, 442, 443, 444, 445, 446, 447, 448, 449, 450, 451, 452, 453, 454, 455, 456, 457, 458, 459, 460, 246, 247, 248, 250, 251, 252, 253, 254, 255, 50, 51, 53, 54, 55, 56, 57, 58, 175, 181, 257, 258, 259, 260, 261, 262, 263, 264, 265, 461, 462, 463, 464, 465, 279, 280, 281, 282, 283, 285, 286, 287, 466, 467, 468, 469, 470, 471, 472, 473, 474, 475, 476, 477, 478, 479, 480, 481, 482, 483, 484, 485, 486, 487, 488, 489, 490, 491, 492, 493, 494, 495, 496, 497, 498, 499, 500, 501, 502, 503, 504, 505, 506, 507, 508, 509, 510, 511, 512, 513], resources: { "frameConstants": 0, "looks": 1, "push": 2, "blades": 3, "states": 4, "patches": 5, "grass": 6, "map": 7, "sunMap": 8, "seenSamples": 9, "visible": 11, "groundLight": 21, "resolved": 22 } },
+  records: { head: "", pieces: [81, 90, 91, 92, 94, 95, 96, 1, 97, 98, 99, 217, 100, 101, 102, 103, 104, 105, 107, 2, 3, 19, 20, 21, 22, 23, 24, 25, 26, 131, 132, 133, 135, 136, 138, 139, 140, 142, 219, 220, 221, 222, 223, 224, 225, 226, 227, 228, 229, 230, 231, 232, 233, 234, 235, 236, 239, 34, 240, 143, 144, 146, 147, 148, 149, 150, 151, 152, 35, 36, 157, 158, 241, 242, 37, 38, 160, 161, 39, 40, 41, 162, 243, 42, 244, 70, 72, 46, 167, 168, 246, 247, 248, 250, 252, 175, 181, 257, 258, 259, 260, 261, 262, 263, 264, 265, 514, 515], resources: { "frameConstants": 0, "looks": 1, "push": 2, "blades": 3, "states": 4, "patches": 5, "visible": 11, "counters": 12, "records": 23 } },
+  groundVertex: { head: "", pieces: [2, 3, 19, 20, 21, 22, 23, 24, 25, 26, 34, 35, 36, 37, 38, 516, 517, 518, 519, 520, 521, 522, 523, 524, 525], resources: { "frameConstants": 0 } },
+  groundFragment: { head: "", pieces: [81, 82, 83, 84, 85, 86, 87, 88, 89, 526, 352, 353, 2, 527, 354, 3, 356, 357, 358, 359, 528, 362, 363, 529, 530, 367, 368, 369, 370, 371, 11, 12, 19, 20, 21, 22, 23, 24, 25, 26, 34, 35, 378, 379, 36, 37, 38, 39, 40, 41, 380, 381, 382, 384, 385, 249, 266, 274, 275, 387, 395, 396, 397, 531, 400, 401, 402, 403, 404, 405, 406, 408, 409, 410, 411, 412, 413, 414, 532, 533, 534, 535, 536, 537, 538, 539, 540, 541, 542, 543, 544, 545, 546, 547, 548, 549, 550, 551, 552, 553, 554, 555, 556, 50, 51, 557, 558, 559, 560, 561, 562, 563, 564, 565, 566, 567, 568, 569, 498, 570, 571, 572, 521, 522, 523, 524, 573, 574], resources: { "frameConstants": 0, "push": 2, "grass": 6, "map": 7, "sunMap": 8, "seenSamples": 9 } },
+  sunVertex: { head: "", pieces: [2, 3, 19, 20, 21, 22, 23, 24, 25, 26, 34, 35, 36, 37, 38, 517, 575], resources: { "frameConstants": 0 } },
+  filmVertex: { head: "", pieces: [576], resources: {} },
+  filmFragment: { head: "", pieces: [577, 573, 578, 579, 580, 581, 582], resources: { "resolvedPicture": 0 } }
+};
+var places = {
+  Push: { size: 176, members: { "pyramid.size": 0, "pyramid.first[0]": 16, "pyramid.first[1]": 32, "pyramid.first[2]": 48, "pyramid.first[3]": 64, "pyramid.first[4]": 80, "pyramid.first[5]": 96, "pyramid.first[6]": 112, "pyramid.levels": 128, "size": 144, "patchCount": 152, "tick": 156, "isIdPass": 160, "firstBlade": 164, "capacity": 168 } },
+  Material: { size: 16, members: { "color": 0, "isDoubleSided": 12 } },
+  Patch: { size: 112, members: { "boundsLow": 0, "firstBlade": 12, "boundsHigh": 16, "bladeCount": 28, "rootLow": 32, "rootStep": 44, "coneAxis": 48, "coneCosine": 60, "heightLow": 64, "heightStep": 68, "widthLow": 72, "widthStep": 76, "parent": 80, "firstChild": 84, "childCount": 88, "level": 92, "rankLow": 96, "rankHigh": 100 } }
+};
+
+// src/render/webgpu/memory.ts
+var maxVisible = 1 << 22;
+var maxQuads = 1 << 18;
+var maxRowBlocks = 1 << 20;
+var counterWords = 8;
+var argumentWords = 12;
+function makeBuffer(device, label, size2, usage) {
+  const most = Math.min(device.limits.maxBufferSize, device.limits.maxStorageBufferBindingSize);
+  if (size2 > most) fail("unsupported", `this device has room for ${most} bytes of ${label}, not for ${size2}`);
+  return device.createBuffer({ label, size: Math.max(Math.ceil(size2 / 16) * 16, 16), usage });
+}
+function filledBuffer(device, label, data, usage) {
+  const buffer2 = makeBuffer(device, label, data.byteLength, usage | GPUBufferUsage.COPY_DST);
+  const whole = data.byteLength - data.byteLength % 4;
+  device.queue.writeBuffer(buffer2, 0, data.buffer, data.byteOffset, whole);
+  return buffer2;
+}
+var FieldMemory = class {
+  constructor(device, field, scene) {
+    this.device = device;
+    this.field = field;
+    const { STORAGE, COPY_DST, COPY_SRC, UNIFORM, INDIRECT, VERTEX, INDEX } = GPUBufferUsage;
+    const blades = Math.max(field.bladeCount, 1);
+    const make2 = (label, size2, usage = 0) => makeBuffer(device, label, size2, STORAGE | COPY_DST | usage);
+    this.capacity = Math.min(blades, maxVisible);
+    this.uploaded = new Uint8Array(field.pageCount);
+    this.present = new Uint32Array(Math.ceil(Math.max(field.pageCount, 1) / 32));
+    const corners = scene.cover.corners;
+    this.buffers = {
+      looks: filledBuffer(device, "looks", new Uint8Array(looksBlock(field).bytes), UNIFORM),
+      blades: make2("blades", 4 * bladeWords * pageBlades * Math.max(field.pageCount, 1)),
+      states: statesOf(device, blades),
+      patches: filledBuffer(device, "patches", patchTable2(field), STORAGE),
+      widest: filledBuffer(device, "widths", subtreeWidths(field.patches), STORAGE),
+      grass: filledBuffer(device, "cover", corners, STORAGE),
+      patchTimes: make2("patch times", 4 * field.patches.count),
+      present: make2("pages", this.present.byteLength),
+      visiblePatches: make2("visible patches", 8 * field.patches.count),
+      visible: make2("visible blades", 16 * this.capacity),
+      counters: make2("counters", 4 * counterWords, COPY_SRC),
+      arguments: make2("arguments", 4 * argumentWords, INDIRECT),
+      quads: make2("quads", 80 * maxQuads),
+      rowBlocks: make2("rows", 4 * maxRowBlocks),
+      map: make2("blade shadow", 8 * bladeShadowTexels * bladeShadowTexels)
+    };
+    this.sunMap = device.createTexture({
+      label: "sun map",
+      size: [sunMapSize, sunMapSize],
+      format: "depth32float",
+      usage: GPUTextureUsage.RENDER_ATTACHMENT | GPUTextureUsage.TEXTURE_BINDING
+    });
+    this.vertices = filledBuffer(device, "ground", field.ground.vertices, VERTEX);
+    this.indices = filledBuffer(device, "triangles", field.ground.indices, INDEX);
+    this.parts = this.groundParts();
+  }
+  device;
+  field;
+  /** Buffers by the names of bindings. */
+  buffers;
+  sunMap;
+  vertices;
+  indices;
+  parts;
+  /** Visible blades at most. */
+  capacity;
+  uploaded;
+  present;
+  groundParts() {
+    const { device, field } = this;
+    const white = imageTexture2(device, { width: 1, height: 1, pixels: new Uint8Array([255, 255, 255, 255]) });
+    const images = field.ground.images.map((image) => imageTexture2(device, image));
+    return field.ground.ranges.filter((range) => range.level === 0 && range.indexCount > 0).map((range) => {
+      const material = field.ground.materials[range.material];
+      const bytes = new ArrayBuffer(places.Material.size);
+      new Float32Array(bytes).set(material.baseColor.slice(0, 3), places.Material.members.color / 4);
+      new Uint32Array(bytes)[places.Material.members.isDoubleSided / 4] = material.isDoubleSided ? 1 : 0;
+      return {
+        first: range.firstIndex,
+        count: range.indexCount,
+        isDoubleSided: material.isDoubleSided,
+        material: filledBuffer(device, "material", new Uint8Array(bytes), GPUBufferUsage.UNIFORM),
+        image: images[material.image] ?? white
+      };
+    });
+  }
+  /** Copies the pages that have come to the device. */
+  uploadPages() {
+    const { device, field } = this;
+    if (field.presentPages === 0) return;
+    const bytes = 4 * pageBlades * bladeWords;
+    let hasChanged = false;
+    for (let page = 0; page < field.pageCount; ++page) {
+      if (this.uploaded[page] || !field.has(page * pageBlades, 1)) continue;
+      let end = page + 1;
+      while (end < field.pageCount && !this.uploaded[end] && field.has(end * pageBlades, 1)) ++end;
+      const words = field.packed.subarray(page * bytes / 4, end * bytes / 4);
+      device.queue.writeBuffer(this.buffers.blades, page * bytes, words.buffer, words.byteOffset, words.byteLength);
+      this.uploaded.fill(1, page, end);
+      for (let p = page; p < end; ++p) this.present[p >> 5] |= 1 << (p & 31);
+      hasChanged = true;
+    }
+    if (hasChanged) device.queue.writeBuffer(this.buffers.present, 0, this.present);
+  }
+  destroy() {
+    for (const one of Object.values(this.buffers)) one.destroy();
+    for (const one of [this.sunMap, this.vertices, this.indices]) one.destroy();
+    for (const part of this.parts) {
+      part.material.destroy();
+      part.image.destroy();
+    }
+  }
+};
+function statesOf(device, blades) {
+  const { STORAGE, COPY_DST } = GPUBufferUsage;
+  const buffer2 = makeBuffer(device, "states", 4 * blades, STORAGE | COPY_DST);
+  const step = 1 << 20;
+  const words = new Uint32Array(Math.min(step, blades)).fill(unsettledTurn);
+  for (let first = 0; first < blades; first += step)
+    device.queue.writeBuffer(buffer2, 4 * first, words, 0, Math.min(step, blades - first));
+  return buffer2;
+}
+function patchTable2(field) {
+  const stride = places.Patch.size / 4;
+  const table = new Uint32Array(Math.max(field.patches.count, 1) * stride);
+  for (let p = 0; p < field.patches.count; ++p)
+    table.set(field.patches.words.subarray(p * patchWords, (p + 1) * patchWords), p * stride);
+  return table;
+}
+var toLinear = Float32Array.from(
+  { length: 256 },
+  (_, i) => i / 255 <= 0.04045 ? i / 255 / 12.92 : ((i / 255 + 0.055) / 1.055) ** 2.4
+);
+var steps = 4095;
+var toBytes = Uint8Array.from({ length: steps + 1 }, (_, i) => {
+  const x = i / steps;
+  return Math.round(255 * (x <= 31308e-7 ? 12.92 * x : 1.055 * x ** (1 / 2.4) - 0.055));
+});
+function halved({ width, height, pixels }) {
+  const [w, h] = [Math.max(width >> 1, 1), Math.max(height >> 1, 1)];
+  const half = new Uint8Array(4 * w * h);
+  for (let y = 0; y < h; ++y) {
+    const [above, below] = [2 * y, Math.min(2 * y + 1, height - 1)].map((row) => row * width);
+    for (let x = 0; x < w; ++x) {
+      const [left, right] = [2 * x, Math.min(2 * x + 1, width - 1)];
+      const four = [above + left, above + right, below + left, below + right];
+      for (let c = 0; c < 4; ++c) {
+        let sum = 0;
+        for (const texel of four) sum += c < 3 ? toLinear[pixels[4 * texel + c]] : pixels[4 * texel + c];
+        half[4 * (y * w + x) + c] = c < 3 ? toBytes[Math.round(0.25 * sum * steps)] : Math.round(0.25 * sum);
+      }
+    }
+  }
+  return { width: w, height: h, pixels: half };
+}
+function imageTexture2(device, image) {
+  const most = device.limits.maxTextureDimension2D;
+  let level = image;
+  while (level.width > most || level.height > most) level = halved(level);
+  const count = Math.floor(Math.log2(Math.max(level.width, level.height))) + 1;
+  const texture = device.createTexture({
+    label: "image of the ground",
+    size: [level.width, level.height],
+    mipLevelCount: count,
+    format: "rgba8unorm-srgb",
+    usage: GPUTextureUsage.TEXTURE_BINDING | GPUTextureUsage.COPY_DST
+  });
+  for (let i = 0; i < count; ++i) {
+    const pixels = new Uint8Array(level.pixels);
+    const size2 = [level.width, level.height];
+    device.queue.writeTexture({ texture, mipLevel: i }, pixels, { bytesPerRow: 4 * level.width }, size2);
+    level = halved(level);
+  }
+  return texture;
+}
+
+// src/render/webgpu/stages.ts
+var textOf = (name) => stages[name].head + stages[name].pieces.map((i) => pieces2[i]).join("\n");
+var bindingsOf = (name) => stages[name].resources;
+function ownOverrides(text, overrides) {
+  return Object.fromEntries(Object.entries(overrides).filter(([name]) => text.includes(`override ${name} `)));
+}
+async function computeStage(device, name, overrides) {
+  const code = textOf(name);
+  const module = device.createShaderModule({ label: name, code });
+  const pipeline = await device.createComputePipelineAsync({
+    label: name,
+    layout: "auto",
+    compute: { module, entryPoint: "main", constants: ownOverrides(code, overrides) }
+  });
+  return { pipeline, bindings: bindingsOf(name) };
+}
+async function drawingStage(device, vertex, fragment, state) {
+  const { vertex: buffers, targets, ...rest2 } = state;
+  const module = (name) => device.createShaderModule({ label: name, code: textOf(name) });
+  const pipeline = await device.createRenderPipelineAsync({
+    label: fragment ?? vertex,
+    layout: "auto",
+    vertex: { module: module(vertex), entryPoint: "main", buffers: buffers ?? [] },
+    ...fragment ? { fragment: { module: module(fragment), entryPoint: "main", targets: targets ?? [] } } : {},
+    ...rest2
+  });
+  return { pipeline, bindings: { ...bindingsOf(vertex), ...fragment ? bindingsOf(fragment) : {} } };
+}
+
+// src/render/webgpu/passes.ts
+var ticksPerSecond = 262144;
+var samples = 4;
+var pushBytes = places.Push.size;
+var argumentsPatches = 0;
+var argumentsBlades = 16;
+var argumentsRows = 32;
+var firstBlade = 1;
+function pyramidLevels(width, height) {
+  const levels = [];
+  let first = 0;
+  for (let bits = 2; levels.length < 7; bits += 2) {
+    const [x, y] = [width, height].map((pixels) => Math.max(Math.ceil(pixels / 2 ** bits), 1));
+    levels.push({ first, cells: x * y });
+    first += x * y;
+    if (x === 1 && y === 1) break;
+  }
+  return levels;
+}
+var nearestBits = 1065353216;
+var Picture2 = class {
+  constructor(device, width, height) {
+    this.device = device;
+    this.width = width;
+    this.height = height;
+    const { RENDER_ATTACHMENT, TEXTURE_BINDING, STORAGE_BINDING } = GPUTextureUsage;
+    const make2 = (label, format, sampleCount, usage) => device.createTexture({ label, size: [width, height], format, sampleCount, usage });
+    this.visibility = makeBuffer(device, "visibility", 8 * samples * width * (4 * Math.ceil(height / 4)), GPUBufferUsage.STORAGE);
+    this.levels = pyramidLevels(width, height);
+    const last = this.levels[this.levels.length - 1];
+    this.nearest = new Uint32Array(last.first + last.cells).fill(nearestBits);
+    this.cells = makeBuffer(device, "pyramid", this.nearest.byteLength, GPUBufferUsage.STORAGE | GPUBufferUsage.COPY_DST);
+    this.depth = make2("depth", "depth32float", samples, RENDER_ATTACHMENT | TEXTURE_BINDING);
+    this.light = make2("light of the ground", "rgba16float", samples, RENDER_ATTACHMENT | TEXTURE_BINDING);
+    this.resolved = make2("picture", "rgba16float", 1, STORAGE_BINDING | TEXTURE_BINDING);
+  }
+  device;
+  width;
+  height;
+  depth;
+  light;
+  resolved;
+  visibility;
+  levels;
+  cells;
+  /** What the pyramid begins with. */
+  nearest;
+  /** Levels beyond the first are made by minima. */
+  beginPyramid() {
+    this.device.queue.writeBuffer(this.cells, 0, this.nearest);
+  }
+  destroy() {
+    for (const one of [this.cells, this.depth, this.light, this.resolved, this.visibility]) one.destroy();
+  }
+};
+var computeNames = ["walk", "arguments", "update", "seed", "resolve", "records"];
+var rasterNames = ["raster", "rasterQuads", "shadow"];
+var Pipelines = class _Pipelines {
+  constructor(compute, has64, groundDepth, ground, sun, film) {
+    this.compute = compute;
+    this.has64 = has64;
+    this.groundDepth = groundDepth;
+    this.ground = ground;
+    this.sun = sun;
+    this.film = film;
+  }
+  compute;
+  has64;
+  groundDepth;
+  ground;
+  sun;
+  film;
+  /** Compiles all of them side by side. `format`: of the texture that the film is drawn into. */
+  static async make(device, field, format) {
+    const overrides = overridesOf(field);
+    const stage2 = (name) => computeStage(device, name, overrides);
+    const position = { shaderLocation: 0, offset: 0, format: "float32x3" };
+    const layout = (attributes) => [{ arrayStride: groundVertexBytes, attributes }];
+    const all = layout([
+      position,
+      { shaderLocation: 1, offset: 12, format: "uint32" },
+      { shaderLocation: 2, offset: 16, format: "float32x2" },
+      { shaderLocation: 3, offset: 24, format: "unorm8x4" }
+    ]);
+    const depthOf = (depthCompare, depthWriteEnabled) => ({
+      format: "depth32float",
+      depthCompare,
+      depthWriteEnabled
+    });
+    const sides = ["back", "none"];
+    const [plain, raster, groundDepth, ground, sun, film] = await Promise.all([
+      Promise.all(computeNames.map(stage2)),
+      rasterStages(device, stage2),
+      Promise.all(
+        sides.map(
+          (cullMode) => drawingStage(device, "groundVertex", null, {
+            vertex: all,
+            primitive: { cullMode },
+            multisample: { count: samples },
+            depthStencil: depthOf("greater", true)
+          })
+        )
+      ),
+      Promise.all(
+        sides.map(
+          (cullMode) => drawingStage(device, "groundVertex", "groundFragment", {
+            vertex: all,
+            primitive: { cullMode },
+            multisample: { count: samples },
+            depthStencil: depthOf("equal", false),
+            targets: [{ format: "rgba16float" }]
+          })
+        )
+      ),
+      drawingStage(device, "sunVertex", null, { vertex: layout([position]), depthStencil: depthOf("greater", true) }),
+      drawingStage(device, "filmVertex", "filmFragment", { targets: [{ format }] })
+    ]);
+    const compute = Object.fromEntries([
+      ...computeNames.map((name, i) => [name, plain[i]]),
+      ...rasterNames.map((name, i) => [name, raster.stages[i]])
+    ]);
+    return new _Pipelines(compute, raster.has64, groundDepth, ground, sun, film);
+  }
+};
+async function rasterStages(device, stage2) {
+  if (hasAtomic64(device)) {
+    try {
+      return { stages: await Promise.all(rasterNames.map((name) => stage2(`${name}64`))), has64: true };
+    } catch {
+    }
+  }
+  return { stages: await Promise.all(rasterNames.map(stage2)), has64: false };
+}
+var Passes = class {
+  constructor(device, field, scene, pipelines) {
+    this.device = device;
+    this.field = field;
+    this.scene = scene;
+    this.pipelines = pipelines;
+    this.memory = new FieldMemory(device, field, scene);
+    const uniform = (label, size2) => makeBuffer(device, label, size2, GPUBufferUsage.UNIFORM | GPUBufferUsage.COPY_DST);
+    this.frames = { eye: uniform("frame", frameBytes), sun: uniform("frame of the sun", frameBytes) };
+    this.pushes = {
+      eye: uniform("push", pushBytes),
+      eyeIds: uniform("push", pushBytes),
+      sun: uniform("push", pushBytes),
+      sunIds: uniform("push", pushBytes)
+    };
+    this.sampler = device.createSampler({
+      addressModeU: "repeat",
+      addressModeV: "repeat",
+      magFilter: "linear",
+      minFilter: "linear",
+      mipmapFilter: "linear"
+    });
+  }
+  device;
+  field;
+  scene;
+  pipelines;
+  picture;
+  memory;
+  frames;
+  pushes;
+  sampler;
+  groups = /* @__PURE__ */ new Map();
+  sunOf = "";
+  staging = [];
+  /** Of a frame that has ended. */
+  counts = { blades: 0, quads: 0, rows: 0, moved: 0 };
+  destroy() {
+    this.picture?.destroy();
+    this.memory.destroy();
+  }
+  /** The bind group of a stage. `view`: whose frame and push it has; `ids`: that of the pass of ids. */
+  group(stage2, view, ids = false, target) {
+    const key = `${stage2.pipeline.label} ${view} ${ids} ${target ?? ""}`;
+    const known = this.groups.get(key);
+    if (known) return known;
+    const picture = this.picture;
+    const { buffers, sunMap } = this.memory;
+    const textures = {
+      sunMap,
+      groundDepth: picture.depth,
+      groundLight: picture.light,
+      resolved: picture.resolved,
+      resolvedPicture: picture.resolved
+    };
+    const resource = (name) => {
+      if (name === "frameConstants") return { buffer: this.frames[view] };
+      if (name === "push") return { buffer: this.pushes[ids ? `${view}Ids` : view] };
+      if (name === "seenSamples") return { buffer: target === "map" ? buffers.map : picture.visibility };
+      if (name === "cellBits") return { buffer: picture.cells };
+      return textures[name]?.createView() ?? { buffer: buffers[name] };
+    };
+    const made = this.device.createBindGroup({
+      label: key,
+      layout: stage2.pipeline.getBindGroupLayout(0),
+      entries: Object.entries(stage2.bindings).map(([name, binding]) => ({ binding, resource: resource(name) }))
+    });
+    this.groups.set(key, made);
+    return made;
+  }
+  /** Draws a frame into `target`. `time`: of the wind [s]. */
+  draw(input, target, width, height, timing) {
+    const { device, memory, pipelines } = this;
+    if (this.picture?.width !== width || this.picture.height !== height) {
+      this.picture?.destroy();
+      this.picture = new Picture2(device, width, height);
+      this.groups.clear();
+    }
+    memory.uploadPages();
+    this.picture.beginPyramid();
+    this.writeFrames(input, width, height);
+    const encoder = device.createCommandEncoder();
+    this.drawSunMap(encoder, input);
+    const { buffers } = memory;
+    const timed = timerOf(timing);
+    const compute = (name, act) => {
+      const pass = encoder.beginComputePass({ label: name, timestampWrites: timed(name) });
+      act(pass);
+      pass.end();
+    };
+    const run = (pass, name, view, ids = false, map) => {
+      const stage2 = pipelines.compute[name];
+      pass.setPipeline(stage2.pipeline);
+      pass.setBindGroup(0, this.group(stage2, view, ids, map));
+    };
+    const walk = (pass, view) => {
+      const groups = Math.ceil(this.field.patches.count / 64);
+      if (groups === 0) return;
+      run(pass, "walk", view);
+      pass.dispatchWorkgroups(Math.min(groups, 4096), Math.ceil(groups / 4096));
+      run(pass, "arguments", view);
+      pass.dispatchWorkgroups(1);
+    };
+    const passesOfSamples = pipelines.has64 ? [false] : [false, true];
+    this.drawGround(encoder, "ground depth", true, timed);
+    encoder.clearBuffer(buffers.counters);
+    compute("seed", (pass) => {
+      run(pass, "seed", "eye");
+      pass.dispatchWorkgroups(Math.ceil(width / 16), Math.ceil(height / 16));
+    });
+    compute("walk", (pass) => walk(pass, "eye"));
+    compute("update", (pass) => {
+      run(pass, "update", "eye");
+      pass.dispatchWorkgroupsIndirect(buffers.arguments, argumentsPatches);
+      run(pass, "arguments", "eye");
+      pass.dispatchWorkgroups(1);
+    });
+    for (const ids of passesOfSamples) {
+      compute(ids ? "blades, ids" : "blades", (pass) => {
+        run(pass, "raster", "eye", ids);
+        pass.dispatchWorkgroupsIndirect(buffers.arguments, argumentsBlades);
+        if (ids) return;
+        run(pass, "arguments", "eye");
+        pass.dispatchWorkgroups(1);
+      });
+      compute(ids ? "large, ids" : "large", (pass) => {
+        run(pass, "rasterQuads", "eye", ids);
+        pass.dispatchWorkgroupsIndirect(buffers.arguments, argumentsRows);
+      });
+    }
+    if (input.shadowDistance > 0 && input.light.sunColor[0] > 0) {
+      encoder.clearBuffer(buffers.counters, 0, 4);
+      encoder.clearBuffer(buffers.map);
+      compute("shadow", (pass) => {
+        walk(pass, "sun");
+        for (const ids of passesOfSamples) {
+          run(pass, "shadow", "sun", ids, "map");
+          pass.dispatchWorkgroupsIndirect(buffers.arguments, argumentsPatches);
+        }
+      });
+    } else encoder.clearBuffer(buffers.map);
+    this.drawGround(encoder, "ground light", false, timed);
+    compute("resolve", (pass) => {
+      run(pass, "resolve", "eye");
+      pass.dispatchWorkgroups(Math.ceil(width / 8), Math.ceil(height / 8));
+    });
+    const film = encoder.beginRenderPass({
+      label: "film",
+      colorAttachments: [{ view: target, loadOp: "clear", storeOp: "store" }],
+      timestampWrites: timed("film")
+    });
+    film.setPipeline(pipelines.film.pipeline);
+    film.setBindGroup(0, this.group(pipelines.film, "eye"));
+    film.draw(3);
+    film.end();
+    const read = this.staging.pop() ?? device.createBuffer({ label: "counts", size: 4 * counterWords, usage: GPUBufferUsage.MAP_READ | GPUBufferUsage.COPY_DST });
+    encoder.copyBufferToBuffer(buffers.counters, 0, read, 0, 4 * counterWords);
+    device.queue.submit([encoder.finish()]);
+    void this.readCounts(read);
+  }
+  async readCounts(read) {
+    try {
+      await read.mapAsync(GPUMapMode.READ);
+    } catch {
+      return;
+    }
+    const [, blades, quads, rows, moved] = new Uint32Array(read.getMappedRange());
+    this.counts = { blades, quads, rows, moved };
+    read.unmap();
+    this.staging.push(read);
+  }
+  writeFrames(input, width, height) {
+    const { device, scene } = this;
+    const eye = frameBlock(scene, input);
+    const depthOfEye = [2, 6, 10, 14].reduce(
+      (sum, at, i) => sum + input.view.viewProjection[at] * (i < 3 ? input.view.eye[i] : 1),
+      0
+    );
+    eye.floats("depthOfEye", [depthOfEye]);
+    device.queue.writeBuffer(this.frames.eye, 0, eye.bytes);
+    const push = (buffer2, size2, isIdPass) => {
+      const block = new Block(places.Push.members, pushBytes);
+      block.words("size", size2);
+      block.words("patchCount", [this.field.patches.count]);
+      block.words("tick", [Math.round(input.time % 16384 * ticksPerSecond)]);
+      block.words("isIdPass", [isIdPass ? 1 : 0]);
+      block.words("firstBlade", [firstBlade]);
+      block.words("capacity", [this.memory.capacity]);
+      if (buffer2 === this.pushes.eye) {
+        const { levels } = this.picture;
+        block.words("pyramid.size", size2);
+        block.words("pyramid.levels", [levels.length]);
+        levels.forEach((level, i) => block.words(`pyramid.first[${i}]`, [level.first]));
+      }
+      device.queue.writeBuffer(buffer2, 0, block.bytes);
+    };
+    push(this.pushes.eye, [width, height], false);
+    push(this.pushes.eyeIds, [width, height], true);
+    if (!(input.shadowDistance > 0)) return;
+    const rows = shadowRows(input.view, input.camera, input.light.sunDirection, input.shadowDistance);
+    const sun = frameBlock(scene, input);
+    shadowPlanes(rows).forEach((plane, i) => sun.floats(`view.planes[${i}]`, plane));
+    sun.floats("view.minWidth", [0]);
+    sun.words("view.cullMask", [cullDistance | cullFrustum | leaveThinned | 1]);
+    sun.floats("viewProjection", [0, 1, 2, 3].flatMap((k) => [rows[0][k], rows[1][k], rows[2][k], k === 3 ? 1 : 0]));
+    device.queue.writeBuffer(this.frames.sun, 0, sun.bytes);
+    push(this.pushes.sun, [bladeShadowTexels, bladeShadowTexels], false);
+    push(this.pushes.sunIds, [bladeShadowTexels, bladeShadowTexels], true);
+  }
+  /** The ground as the sun sees it, when the sun has moved. */
+  drawSunMap(encoder, input) {
+    const key = input.light.sunDirection.join();
+    if (this.sunOf === key) return;
+    this.sunOf = key;
+    const { memory, pipelines } = this;
+    const pass = encoder.beginRenderPass({
+      label: "sun map",
+      colorAttachments: [],
+      depthStencilAttachment: {
+        view: memory.sunMap.createView(),
+        depthClearValue: 0,
+        depthLoadOp: "clear",
+        depthStoreOp: "store"
+      }
+    });
+    pass.setPipeline(pipelines.sun.pipeline);
+    pass.setBindGroup(0, this.group(pipelines.sun, "eye"));
+    pass.setVertexBuffer(0, memory.vertices);
+    pass.setIndexBuffer(memory.indices, "uint32");
+    for (const part of memory.parts) pass.drawIndexed(part.count, 1, part.first);
+    pass.end();
+  }
+  /** Depths of the ground, or its light where samples show it. */
+  drawGround(encoder, label, isDepth, timed) {
+    const { memory, pipelines } = this;
+    const picture = this.picture;
+    const pass = encoder.beginRenderPass({
+      label,
+      colorAttachments: isDepth ? [] : [{ view: picture.light.createView(), clearValue: [0, 0, 0, 0], loadOp: "clear", storeOp: "store" }],
+      depthStencilAttachment: isDepth ? { view: picture.depth.createView(), depthClearValue: 0, depthLoadOp: "clear", depthStoreOp: "store" } : { view: picture.depth.createView(), depthReadOnly: true },
+      timestampWrites: timed(label)
+    });
+    pass.setVertexBuffer(0, memory.vertices);
+    pass.setIndexBuffer(memory.indices, "uint32");
+    memory.parts.forEach((part, i) => {
+      const stage2 = (isDepth ? pipelines.groundDepth : pipelines.ground)[part.isDoubleSided ? 1 : 0];
+      pass.setPipeline(stage2.pipeline);
+      pass.setBindGroup(0, this.group(stage2, "eye", false, `${label} ${part.isDoubleSided}`));
+      if (!isDepth) pass.setBindGroup(1, this.materialGroup(stage2, i));
+      pass.drawIndexed(part.count, 1, part.first);
+    });
+    pass.end();
+  }
+  materialGroup(stage2, i) {
+    const key = `material ${i}`;
+    const known = this.groups.get(key);
+    if (known) return known;
+    const part = this.memory.parts[i];
+    const made = this.device.createBindGroup({
+      label: key,
+      layout: stage2.pipeline.getBindGroupLayout(1),
+      entries: [
+        { binding: 0, resource: { buffer: part.material } },
+        { binding: 1, resource: part.image.createView() },
+        { binding: 2, resource: this.sampler }
+      ]
+    });
+    this.groups.set(key, made);
+    return made;
+  }
+  /** Curves of the blades that the last frame drew, for tests: 12 words each (web/shaders/webgpu/records.comp). */
+  async readRecords() {
+    const { device, memory, pipelines } = this;
+    const size2 = 48 * memory.capacity;
+    const { STORAGE, COPY_SRC, COPY_DST, MAP_READ } = GPUBufferUsage;
+    const records = makeBuffer(device, "records", size2, STORAGE | COPY_SRC);
+    memory.buffers.records = records;
+    const read = device.createBuffer({ size: records.size + 4 * counterWords, usage: MAP_READ | COPY_DST });
+    const encoder = device.createCommandEncoder();
+    const pass = encoder.beginComputePass();
+    pass.setPipeline(pipelines.compute.records.pipeline);
+    pass.setBindGroup(0, this.group(pipelines.compute.records, "eye"));
+    pass.dispatchWorkgroups(Math.min(Math.ceil(memory.capacity / 64), 4096), Math.ceil(memory.capacity / 64 / 4096));
+    pass.end();
+    encoder.copyBufferToBuffer(records, 0, read, 0, records.size);
+    encoder.copyBufferToBuffer(memory.buffers.counters, 0, read, records.size, 4 * counterWords);
+    device.queue.submit([encoder.finish()]);
+    await read.mapAsync(GPUMapMode.READ);
+    const words = new Uint32Array(read.getMappedRange()).slice();
+    read.destroy();
+    records.destroy();
+    delete memory.buffers.records;
+    this.groups.clear();
+    return words.subarray(0, 12 * Math.min(words[records.size / 4 + 1], memory.capacity));
+  }
+};
+function timerOf(timing) {
+  if (!timing) return () => void 0;
+  timing.names.length = 0;
+  return (name) => {
+    const at = 2 * timing.names.length;
+    timing.names.push(name);
+    return { querySet: timing.set, beginningOfPassWriteIndex: at, endOfPassWriteIndex: at + 1 };
+  };
+}
+
+// src/render/webgpu/renderer.ts
+var usualMax2 = 4e6;
+var WebGpuRenderer = class _WebGpuRenderer {
+  constructor(canvas, context, device, field, scene, passes) {
+    this.canvas = canvas;
+    this.context = context;
+    this.device = device;
+    this.field = field;
+    this.passes = passes;
+    this.scene = scene;
+    this.tree = new PatchTree(field);
+    void device.lost.then(() => {
+      this.wasLost = true;
+    });
+  }
+  canvas;
+  context;
+  device;
+  field;
+  passes;
+  kind = "webgpu";
+  /** Fields that are sown are drawn by WebGL. */
+  sowing = void 0;
+  scene;
+  tree;
+  lodThreshold = frameSettings.lodThreshold;
+  wasLost = false;
+  isStopped = false;
+  /**
+   * A renderer; undefined where there is no WebGPU. The canvas may have no other context. Without a canvas it draws
+   * pictures for readPicture(). `acceptsSoftware`: also a device that is the processor.
+   */
+  static async make(canvas, field, cover = noCover, { device, acceptsSoftware = false } = {}) {
+    const own = device ?? await openDevice({ acceptsSoftware });
+    if (!own) return void 0;
+    const format = canvas ? navigator.gpu.getPreferredCanvasFormat() : "rgba8unorm";
+    const scene = sceneOf(field, cover);
+    try {
+      const pipelines = await Pipelines.make(own, field, format);
+      const passes = new Passes(own, field, scene, pipelines);
+      const context = canvas?.getContext("webgpu") ?? void 0;
+      if (canvas && !context) return void 0;
+      context?.configure({ device: own, format, alphaMode: "opaque" });
+      return new _WebGpuRenderer(canvas, context, own, field, scene, passes);
+    } catch (error) {
+      if (!(error instanceof SwardError)) console.warn(error);
+      if (!device) own.destroy();
+      return void 0;
+    }
+  }
+  /** The sun as the viewer has it by default. */
+  get usualLight() {
+    const up = unit(scaled(this.field.defaults.gravity.direction, -1));
+    return { ...usualLight, sunDirection: turnedWith(up, usualLight.sunDirection) };
+  }
+  get isLost() {
+    return this.wasLost;
+  }
+  /** Calls back when the device is lost, unless stop() ended it. */
+  onLost(act) {
+    void this.device.lost.then(() => {
+      if (!this.isStopped) act();
+    });
+  }
+  /** Frees all that lies on the device. */
+  stop() {
+    this.isStopped = true;
+    this.passes.destroy();
+    this.context?.unconfigure();
+    this.device.destroy();
+  }
+  /** Draws a picture as large as the canvas. `isFine` changes nothing: all pictures have four samples a pixel. */
+  draw(input) {
+    const { width, height } = this.canvas;
+    return this.drawInto(input, this.context.getCurrentTexture().createView(), width, height);
+  }
+  /** Whether samples are written by atomics of 64 bits; else by two passes of 32 bits. */
+  get has64() {
+    return this.passes.pipelines.has64;
+  }
+  /** What a frame that has ended drew. */
+  get counts() {
+    return this.passes.counts;
+  }
+  /** Draws into a texture. `timing`: where passes note when they begin and end. */
+  drawInto(input, target, width, height, timing) {
+    const { field, scene, passes } = this;
+    const view = viewOf(input.camera, field.origin, width, height, scene.content);
+    this.adapt(input.maxBlades ?? usualMax2);
+    const frame = {
+      view,
+      camera: input.camera,
+      light: input.light ?? this.usualLight,
+      wind: input.wind ?? 1,
+      time: input.time,
+      shadowDistance,
+      lodThreshold: this.lodThreshold,
+      sparseFrom: 0,
+      sparseLeast: 1
+    };
+    passes.draw(frame, target, width, height, timing);
+    let missing = [];
+    if (!field.isComplete)
+      missing = this.tree.groupsOf(
+        {
+          eye: view.eye,
+          planes: view.planes,
+          drawDistance: field.defaults.drawDistance,
+          pixelsPerUnit: view.pixelsPerUnit,
+          lodThreshold: this.lodThreshold,
+          lodWidth: scene.bladeWidth,
+          minWidth: minWidthOf(view),
+          sparseFrom: 0,
+          sparseLeast: 1
+        },
+        Infinity
+      ).missing;
+    return { blades: passes.counts.moved, missing };
+  }
+  /** Level of detail follows the number of blades that the frames before had. */
+  adapt(most) {
+    const { moved } = this.passes.counts;
+    const usual = frameSettings.lodThreshold;
+    const ratio = Math.sqrt(moved / most);
+    if (ratio > 1.15) this.lodThreshold *= Math.min(ratio, 2);
+    else if (ratio > 1) this.lodThreshold *= 1.02;
+    else if (ratio < 0.9) this.lodThreshold = Math.max(this.lodThreshold / 1.05, usual);
+  }
+  /** Draws a picture and returns it: rows from the top, four bytes a pixel, sRGB. */
+  async readPicture(input, width, height, timing) {
+    const { device } = this;
+    const format = this.canvas ? navigator.gpu.getPreferredCanvasFormat() : "rgba8unorm";
+    const { RENDER_ATTACHMENT, COPY_SRC } = GPUTextureUsage;
+    const texture = device.createTexture({ size: [width, height], format, usage: RENDER_ATTACHMENT | COPY_SRC });
+    this.drawInto(input, texture.createView(), width, height, timing);
+    const bytesPerRow = 256 * Math.ceil(4 * width / 256);
+    const read = device.createBuffer({ size: bytesPerRow * height, usage: GPUBufferUsage.MAP_READ | GPUBufferUsage.COPY_DST });
+    const encoder = device.createCommandEncoder();
+    encoder.copyTextureToBuffer({ texture }, { buffer: read, bytesPerRow }, [width, height]);
+    device.queue.submit([encoder.finish()]);
+    await read.mapAsync(GPUMapMode.READ);
+    const rows = new Uint8Array(read.getMappedRange());
+    const pixels = new Uint8ClampedArray(4 * width * height);
+    for (let y = 0; y < height; ++y) pixels.set(rows.subarray(y * bytesPerRow, y * bytesPerRow + 4 * width), 4 * width * y);
+    if (format === "bgra8unorm")
+      for (let i = 0; i < pixels.length; i += 4) [pixels[i], pixels[i + 2]] = [pixels[i + 2], pixels[i]];
+    read.destroy();
+    texture.destroy();
+    return pixels;
+  }
+  /** Curves of the blades that the last picture drew, 12 words each; for tests. */
+  readRecords() {
+    return this.passes.readRecords();
+  }
+};
+
+// src/render/choice.ts
+async function makeRenderer(canvas, field, cover, kind, sowing) {
+  if (sowing && kind === "webgpu")
+    fail("usage", `${field.name}: a field that is sown is drawn by WebGL; sow: false shows its stored blades by WebGPU`);
+  if (kind !== "webgl" && !sowing) {
+    const own = await WebGpuRenderer.make(canvas, field, cover, { acceptsSoftware: kind === "webgpu" });
+    if (own) return own;
+    if (kind === "webgpu") fail("unsupported", "this browser has no WebGPU for this field, or its graphics driver is blocked");
+  }
+  return new Renderer(canvas, field, cover, sowing);
+}
 
 // src/sow/module.ts
 var kinds = { 1: "usage", 2: "io", 3: "input", 4: "runtime", 5: "unsupported" };
@@ -5066,12 +6522,12 @@ var GroundHeight = class {
     this.along = unit(sub(side, scaled(up, dot(side, up))));
     this.across = cross(up, this.along);
     const floats = new Float32Array(ground.vertices.buffer, ground.vertices.byteOffset, ground.vertices.length / 4);
-    const places = new Float32Array(3 * ground.vertexCount);
+    const places2 = new Float32Array(3 * ground.vertexCount);
     const high = [-Infinity, -Infinity];
     for (let v = 0; v < ground.vertexCount; ++v) {
       const p = [floats[7 * v], floats[7 * v + 1], floats[7 * v + 2]];
       const place = [dot(p, this.along), dot(p, this.across), dot(p, up)];
-      places.set(place, 3 * v);
+      places2.set(place, 3 * v);
       for (const i of [0, 1]) {
         this.low[i] = Math.min(this.low[i], place[i]);
         high[i] = Math.max(high[i], place[i]);
@@ -5081,7 +6537,7 @@ var GroundHeight = class {
     for (const range of ground.ranges)
       if (range.level === 0)
         for (let i = range.firstIndex; i < range.firstIndex + range.indexCount; i += 3)
-          this.fill([0, 1, 2].map((k) => places.subarray(3 * ground.indices[i + k], 3 * ground.indices[i + k] + 3)));
+          this.fill([0, 1, 2].map((k) => places2.subarray(3 * ground.indices[i + k], 3 * ground.indices[i + k] + 3)));
   }
   /** Height along `up` at a place, both relative to the field's origin; undefined beside the ground. */
   at(place) {
@@ -5124,7 +6580,6 @@ function make(name, attributes, ...children) {
 var Panel = class {
   constructor(element, canvas) {
     this.element = element;
-    this.canvas = canvas;
     element.classList.add("sward");
     canvas.tabIndex = 0;
     canvas.setAttribute("role", "application");
@@ -5137,7 +6592,6 @@ var Panel = class {
     this.say("The field is coming.");
   }
   element;
-  canvas;
   message = make("p", { class: "sward-message", role: "status", "aria-live": "polite" });
   bar = make("progress", { class: "sward-progress", "aria-label": "Blades that have come", max: "1" });
   note = make("small", { class: "sward-note", role: "note" });
@@ -5199,7 +6653,7 @@ var Panel = class {
       button.addEventListener("click", () => {
         view.setMode(mode);
         buttons.forEach((other) => other.setAttribute("aria-pressed", String(other === button)));
-        this.canvas.focus();
+        view.canvas.focus();
       });
       return button;
     });
@@ -5254,7 +6708,9 @@ var firstPages2 = 384;
 var pagesAtOnce2 = 128;
 var requestsAtOnce = 4;
 var minBlades = 6e4;
-var maxBlades = 2e6;
+var firstBlades = { webgl: 15e4, webgpu: 1e6 };
+var maxBlades = { webgl: 2e6, webgpu: 4e6 };
+var messageTime = 6e3;
 var longestFrame = 0.1;
 var rest = 250;
 var FieldView = class {
@@ -5262,35 +6718,12 @@ var FieldView = class {
     this.element = element;
     this.field = field;
     this.renderer = renderer;
-    this.canvas = renderer.canvas;
     this.panel = panel;
-    const { content } = renderer.scene;
-    const up = this.up;
+    this.budget = firstBlades[renderer.kind];
     const isPlanet = field.defaults.gravity.blend > 0;
-    const heights = isPlanet ? void 0 : new GroundHeight(field.ground, up);
-    this.resize();
-    this.controls = new Controls(
-      this.canvas,
-      camera ?? field.defaults.cameras[0] ?? this.wholeView(),
-      up,
-      size(sub(content.high, content.low)),
-      field.origin,
-      (place) => heights?.at(place),
-      () => this.change()
-    );
+    this.heights = isPlanet ? void 0 : new GroundHeight(field.ground, this.up);
     this.observer = new ResizeObserver(() => this.resize());
-    this.observer.observe(this.canvas);
-    this.canvas.addEventListener("webglcontextlost", (event) => {
-      event.preventDefault();
-      this.isLost = true;
-      panel.say("The graphics device was lost. The picture comes back when it does.");
-    });
-    this.canvas.addEventListener("webglcontextrestored", () => {
-      this.renderer.restore();
-      this.isLost = false;
-      panel.say("");
-      this.change();
-    });
+    this.adopt(renderer, camera ?? field.defaults.cameras[0]);
     document.addEventListener("visibilitychange", this.wake);
     requestAnimationFrame(this.tick);
   }
@@ -5316,12 +6749,71 @@ var FieldView = class {
   changedAt = 0;
   isRefined = false;
   requests = 0;
-  budget = 15e4;
+  budget;
   isLost = false;
   isStopped = false;
   hasFailed = false;
   observer;
+  heights;
   stillness = matchMedia("(prefers-reduced-motion: reduce)");
+  /** Takes a renderer with its canvas. */
+  adopt(renderer, camera) {
+    this.renderer = renderer;
+    this.canvas = renderer.canvas;
+    const { content } = renderer.scene;
+    this.resize();
+    this.controls = new Controls(
+      this.canvas,
+      camera ?? this.wholeView(),
+      this.up,
+      size(sub(content.high, content.low)),
+      this.field.origin,
+      (place) => this.heights?.at(place),
+      () => this.change()
+    );
+    this.observer.disconnect();
+    this.observer.observe(this.canvas);
+    const wasLost = () => {
+      this.isLost = true;
+      this.panel.say("The graphics device was lost. The picture comes back when it does.");
+    };
+    if (renderer.kind === "webgpu") {
+      renderer.onLost(() => {
+        wasLost();
+        void this.replaceRenderer();
+      });
+      return;
+    }
+    this.canvas.addEventListener("webglcontextlost", (event) => {
+      event.preventDefault();
+      wasLost();
+    });
+    this.canvas.addEventListener("webglcontextrestored", () => {
+      renderer.restore();
+      this.isLost = false;
+      this.panel.say("");
+      this.change();
+    });
+  }
+  /** Goes on with another device, or by WebGL 2, on a new canvas. */
+  async replaceRenderer() {
+    const { mode, camera } = this.controls;
+    const canvas = this.canvas.cloneNode();
+    this.canvas.replaceWith(canvas);
+    try {
+      this.adopt(await makeRenderer(canvas, this.field, this.renderer.scene.cover), camera);
+    } catch (error) {
+      this.panel.fail(error);
+      return;
+    }
+    this.controls.setMode(mode);
+    this.budget = firstBlades[this.renderer.kind];
+    this.isLost = false;
+    const isOther = this.renderer.kind === "webgl";
+    this.panel.say(isOther ? "The graphics device was lost. Now WebGL draws." : "");
+    if (isOther) setTimeout(() => this.panel.say(""), messageTime);
+    this.change();
+  }
   /** Up direction of the field, against gravity. */
   get up() {
     return unit(scaled(this.field.defaults.gravity.direction, -1));
@@ -5351,6 +6843,7 @@ var FieldView = class {
     this.observer.disconnect();
     document.removeEventListener("visibilitychange", this.wake);
     this.renderer.sowing?.stop();
+    if (this.renderer.kind === "webgpu") this.renderer.stop();
   }
   wake = () => {
     this.last = 0;
@@ -5402,7 +6895,7 @@ var FieldView = class {
     this.frameTime = this.frameTime === 0 ? since : 0.9 * this.frameTime + 0.1 * since;
     const slow = clamp(40 / this.frameTime, 0.3, 0.97);
     if (this.frameTime > 45) this.budget = Math.max(slow * this.budget, minBlades);
-    else if (this.frameTime < 20) this.budget = Math.min(1.02 * this.budget, maxBlades);
+    else if (this.frameTime < 20) this.budget = Math.min(1.02 * this.budget, maxBlades[this.renderer.kind]);
   }
   /** Fetches what is visible and not here, then the rest. */
   load(missing) {
@@ -5452,13 +6945,9 @@ async function showField(element, options) {
       options.cover ? coverAt(options.cover) : noCover,
       field.loadPages(0, Math.min(firstPages2, field.pageCount))
     ]);
-    const view = new FieldView(
-      element,
-      field,
-      new Renderer(canvas, field, cover, await sowingOf(field, options, panel, () => view.change())),
-      panel,
-      options.camera
-    );
+    const sowing = await sowingOf(field, options, panel, () => view.change());
+    const renderer = await makeRenderer(canvas, field, cover, options.renderer, sowing);
+    const view = new FieldView(element, field, renderer, panel, options.camera);
     if (options.panel ?? true) panel.control(view);
     return view;
   } catch (error) {
@@ -5485,13 +6974,16 @@ export {
   SowModule,
   Sowing,
   SwardError,
+  WebGpuRenderer,
   bladeId,
   compileSower,
   fittingCamera,
   groundMesh,
   lightAt,
+  makeRenderer,
   noCover,
   numbersOf,
+  openDevice,
   openField,
   pageBlades,
   pagesOf,
@@ -5504,5 +6996,6 @@ export {
   unpackFrame,
   usualLight,
   usualSun,
+  textOf as wgslOf,
   xxh3
 };

@@ -1,4 +1,4 @@
-/** The npm package `sward`: reads fields of grass, and draws them by WebGL 2. See docs/web.md. */
+/** The npm package `sward`: reads fields of grass, and draws them by WebGPU or WebGL 2. See docs/web.md. */
 export { SwardError } from "./format/error";
 export type { ErrorKind } from "./format/error";
 export { Field, openField, pageBlades, readField } from "./format/field";
@@ -9,6 +9,10 @@ export type { Ground, GroundImage, GroundMaterial, GroundRange } from "./format/
 export type { FetchOptions } from "./format/source";
 export { xxh3 } from "./format/xxh3";
 export { Renderer } from "./render/renderer";
+export { WebGpuRenderer } from "./render/webgpu/renderer";
+export { makeRenderer } from "./render/choice";
+export type { AnyRenderer, RendererKind } from "./render/choice";
+export { openDevice } from "./render/webgpu/device";
 export type { DrawInput, DrawStats } from "./render/renderer";
 export type { HostInput } from "./render/host";
 export { noCover, parseCoverFile } from "./render/cover";
@@ -30,3 +34,5 @@ export type { ShowOptions } from "./page/page";
 export type { Mode } from "./page/controls";
 /** The stages in GLSL ES, for tests. */
 export * as shaders from "./generated/shaders";
+/** The stages in WGSL and the places of uniforms, for tests. */
+export { textOf as wgslOf } from "./render/webgpu/stages";

@@ -1,9 +1,9 @@
 import { Field, openField } from "../format/field";
 import { Camera, Vec3 } from "../format/texts";
 import { fittingCamera } from "../render/camera";
+import { AnyRenderer, makeRenderer, RendererKind } from "../render/choice";
 import { coverAt, noCover } from "../render/cover";
 import { lightAt, usualSun } from "../render/light";
-import { Renderer } from "../render/renderer";
 import { Sowing } from "../sow/sowing";
 import type { SowOptions } from "../sow/sowing";
 import { clamp, scaled, size, sub, unit } from "../render/vector";
@@ -23,6 +23,8 @@ export interface ShowOptions {
   panel?: boolean;
   /** How a field with seeds is sown; false: its stored blades alone are shown. */
   sow?: SowOptions | false;
+  /** What draws; by default WebGPU where a graphics card offers it, else WebGL 2. */
+  renderer?: RendererKind;
 }
 
 /** Blades that come before the first picture [pages of 1024]: 6 MB. */
@@ -31,7 +33,11 @@ const firstPages = 384;
 const pagesAtOnce = 128;
 const requestsAtOnce = 4;
 const minBlades = 60_000;
-const maxBlades = 2_000_000;
+/** Blades of a frame, first and at most: WebGPU draws far more. */
+const firstBlades = { webgl: 150_000, webgpu: 1_000_000 };
+const maxBlades = { webgl: 2_000_000, webgpu: 4_000_000 };
+/** [ms] that a message stands which asks for nothing. */
+const messageTime = 6000;
 /** Longest time between two frames that moves blades [s]: a tab that was hidden does not jump. */
 const longestFrame = 0.1;
 /** [ms] without a change after which a picture at rest is refined. */
@@ -39,9 +45,9 @@ const rest = 250;
 
 /** A field in an element of a page. */
 export class FieldView {
-  readonly canvas: HTMLCanvasElement;
+  canvas!: HTMLCanvasElement;
   readonly panel: Panel;
-  readonly controls: Controls;
+  controls!: Controls;
   /** Pictures drawn. */
   frames = 0;
   /** Milliseconds from one frame to the next, smoothed. */
@@ -58,51 +64,89 @@ export class FieldView {
   private changedAt = 0;
   private isRefined = false;
   private requests = 0;
-  private budget = 150_000;
+  private budget: number;
   private isLost = false;
   private isStopped = false;
   private hasFailed = false;
   private readonly observer: ResizeObserver;
+  private readonly heights: GroundHeight | undefined;
   private readonly stillness = matchMedia("(prefers-reduced-motion: reduce)");
 
   constructor(
     readonly element: HTMLElement,
     readonly field: Field,
-    readonly renderer: Renderer,
+    public renderer: AnyRenderer,
     panel: Panel,
     camera: Camera | undefined,
   ) {
-    this.canvas = renderer.canvas;
     this.panel = panel;
-    const { content } = renderer.scene;
-    const up = this.up;
+    this.budget = firstBlades[renderer.kind];
     const isPlanet = field.defaults.gravity.blend > 0;
-    const heights = isPlanet ? undefined : new GroundHeight(field.ground, up);
+    this.heights = isPlanet ? undefined : new GroundHeight(field.ground, this.up);
+    this.observer = new ResizeObserver(() => this.resize());
+    this.adopt(renderer, camera ?? field.defaults.cameras[0]);
+    document.addEventListener("visibilitychange", this.wake);
+    requestAnimationFrame(this.tick);
+  }
+
+  /** Takes a renderer with its canvas. */
+  private adopt(renderer: AnyRenderer, camera: Camera | undefined): void {
+    this.renderer = renderer;
+    this.canvas = renderer.canvas;
+    const { content } = renderer.scene;
     this.resize();
     this.controls = new Controls(
       this.canvas,
-      camera ?? field.defaults.cameras[0] ?? this.wholeView(),
-      up,
+      camera ?? this.wholeView(),
+      this.up,
       size(sub(content.high, content.low)),
-      field.origin,
-      (place) => heights?.at(place),
+      this.field.origin,
+      (place) => this.heights?.at(place),
       () => this.change(),
     );
-    this.observer = new ResizeObserver(() => this.resize());
+    this.observer.disconnect();
     this.observer.observe(this.canvas);
+    const wasLost = () => {
+      this.isLost = true;
+      this.panel.say("The graphics device was lost. The picture comes back when it does.");
+    };
+    if (renderer.kind === "webgpu") {
+      renderer.onLost(() => {
+        wasLost();
+        void this.replaceRenderer();
+      });
+      return;
+    }
     this.canvas.addEventListener("webglcontextlost", (event) => {
       event.preventDefault();
-      this.isLost = true;
-      panel.say("The graphics device was lost. The picture comes back when it does.");
+      wasLost();
     });
     this.canvas.addEventListener("webglcontextrestored", () => {
-      this.renderer.restore();
+      renderer.restore();
       this.isLost = false;
-      panel.say("");
+      this.panel.say("");
       this.change();
     });
-    document.addEventListener("visibilitychange", this.wake);
-    requestAnimationFrame(this.tick);
+  }
+
+  /** Goes on with another device, or by WebGL 2, on a new canvas. */
+  private async replaceRenderer(): Promise<void> {
+    const { mode, camera } = this.controls;
+    const canvas = this.canvas.cloneNode() as HTMLCanvasElement;
+    this.canvas.replaceWith(canvas);
+    try {
+      this.adopt(await makeRenderer(canvas, this.field, this.renderer.scene.cover), camera);
+    } catch (error) {
+      this.panel.fail(error);
+      return;
+    }
+    this.controls.setMode(mode);
+    this.budget = firstBlades[this.renderer.kind];
+    this.isLost = false;
+    const isOther = this.renderer.kind === "webgl";
+    this.panel.say(isOther ? "The graphics device was lost. Now WebGL draws." : "");
+    if (isOther) setTimeout(() => this.panel.say(""), messageTime);
+    this.change();
   }
 
   /** Up direction of the field, against gravity. */
@@ -139,6 +183,7 @@ export class FieldView {
     this.observer.disconnect();
     document.removeEventListener("visibilitychange", this.wake);
     this.renderer.sowing?.stop();
+    if (this.renderer.kind === "webgpu") this.renderer.stop();
   }
 
   private readonly wake = (): void => {
@@ -196,7 +241,7 @@ export class FieldView {
     // A device that is far too slow gets far fewer at once.
     const slow = clamp(40 / this.frameTime, 0.3, 0.97);
     if (this.frameTime > 45) this.budget = Math.max(slow * this.budget, minBlades);
-    else if (this.frameTime < 20) this.budget = Math.min(1.02 * this.budget, maxBlades);
+    else if (this.frameTime < 20) this.budget = Math.min(1.02 * this.budget, maxBlades[this.renderer.kind]);
   }
 
   /** Fetches what is visible and not here, then the rest. */
@@ -258,13 +303,9 @@ export async function showField(element: HTMLElement, options: ShowOptions): Pro
       options.cover ? coverAt(options.cover) : noCover,
       field.loadPages(0, Math.min(firstPages, field.pageCount)),
     ]);
-    const view: FieldView = new FieldView(
-      element,
-      field,
-      new Renderer(canvas, field, cover, await sowingOf(field, options, panel, () => view.change())),
-      panel,
-      options.camera,
-    );
+    const sowing = await sowingOf(field, options, panel, () => view.change());
+    const renderer = await makeRenderer(canvas, field, cover, options.renderer, sowing);
+    const view: FieldView = new FieldView(element, field, renderer, panel, options.camera);
     if (options.panel ?? true) panel.control(view);
     return view;
   } catch (error) {

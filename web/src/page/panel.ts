@@ -27,7 +27,7 @@ export class Panel {
 
   constructor(
     private readonly element: HTMLElement,
-    private readonly canvas: HTMLCanvasElement,
+    canvas: HTMLCanvasElement,
   ) {
     element.classList.add("sward");
     canvas.tabIndex = 0;
@@ -105,7 +105,7 @@ export class Panel {
       button.addEventListener("click", () => {
         view.setMode(mode);
         buttons.forEach((other) => other.setAttribute("aria-pressed", String(other === button)));
-        this.canvas.focus();
+        view.canvas.focus();
       });
       return button;
     });
