@@ -67,10 +67,11 @@ class Windows(Case):
 class Window(Windows):
     def test_it_shows_what_render_draws_and_takes_keys_and_the_mouse(self):
         field = self.field()
-        still = ("--wind-strength", "0", "--camera", "eye", "--samples", "4")
-        viewer = self.start(field, *still, "--panel", "off", "--resolution", "1")
+        still, size = ("--wind-strength", "0", "--camera", "eye", "--samples", "4"), (420, 300)
+        viewer = self.start(field, *still, "--panel", "off", "--resolution", "1", size=size)
         viewer.wait_for_title()
         viewer.key("space")
+        self.display.xdotool("mousemove", 1200, 780)  # the server draws it over the window
         viewer.wait_frames(3)
         seen = viewer.window.picture()
         viewer.key("p")
@@ -79,20 +80,21 @@ class Window(Windows):
         viewer.wait_frames(3)
         # By the program of Linux.
         drawn = self.place / "drawn.png"
-        self.check(linux("sward-view", "render", field, *still, "--size", "{}x{}".format(*SIZE), "-o", drawn, "-q"))
+        self.check(linux("sward-view", "render", field, *still, "--size", "{}x{}".format(*size), "-o", drawn, "-q"))
         taken, drawn = (np.asarray(Image.open(path).convert("RGB"))[..., ::-1].astype(np.int16) for path in (taken, drawn))
-        self.assertEqual(share_that_differs(seen, taken, 0), 0, "the window has the pixels of its picture")
-        self.assertLess(share_that_differs(seen, drawn, 8), 0.01, "and those of Linux")
-        for name, move in {"turn": lambda: viewer.window.drag((300, 200), (400, 260)),
-                           "pan": lambda: viewer.window.drag((300, 200), (340, 160), button=2),
+        self.assertTrue((taken == drawn).all(), "its picture has the pixels of Linux")
+        self.assertTrue((seen == drawn).all(), "and so has the window")
+        for name, move in {"turn": lambda: viewer.window.drag((200, 150), (300, 200)),
+                           "pan": lambda: viewer.window.drag((200, 150), (240, 110), button=2),
                            "dolly": lambda: viewer.window.wheel(4)}.items():
             with self.subTest(move=name):
                 move()
                 viewer.wait(lambda: share_that_differs(seen, viewer.window.picture()) > 0.1, "the picture moves")
                 viewer.key("Home")
+                # But for the mouse, which lies over it now.
                 viewer.wait(lambda: share_that_differs(seen, viewer.window.picture()) < 0.005, "and returns")
-        viewer.window.resize(700, 500)
-        viewer.wait(lambda: viewer.window.geometry()[2:] == (700, 500), "it has another size")
+        viewer.window.resize(500, 260)
+        viewer.wait(lambda: viewer.window.geometry()[2:] == (500, 260), "it has another size")
         viewer.wait(lambda: (viewer.window.picture()[:, -1].max(axis=1) > 0).all(), "it is filled")
         viewer.window.key("Escape")
         viewer.process.wait(timeout=wine.PATIENCE)

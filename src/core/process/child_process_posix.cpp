@@ -17,23 +17,23 @@ namespace sward {
 namespace native {
 
 // Closes a file descriptor.
-class Descriptor {
+class OwnDescriptor {
 public:
-    Descriptor() = default;
-    explicit Descriptor(int fd)
+    OwnDescriptor() = default;
+    explicit OwnDescriptor(int fd)
         : fd_(fd)
     {
     }
-    Descriptor(Descriptor&& other) noexcept
+    OwnDescriptor(OwnDescriptor&& other) noexcept
         : fd_(std::exchange(other.fd_, -1))
     {
     }
-    Descriptor& operator=(Descriptor&& other) noexcept
+    OwnDescriptor& operator=(OwnDescriptor&& other) noexcept
     {
         std::swap(fd_, other.fd_);
         return *this;
     }
-    ~Descriptor() { close(); }
+    ~OwnDescriptor() { close(); }
 
     int get() const { return fd_; }
     void close()
@@ -50,13 +50,11 @@ private:
 
 namespace {
 
-using native::Descriptor;
-
 constexpr std::size_t maxAnswered = std::size_t(4) << 20; // of one call [bytes]
 
 struct DescriptorPair {
-    Descriptor own;
-    Descriptor childs;
+    native::OwnDescriptor own;
+    native::OwnDescriptor childs;
 };
 
 // For what a child writes. Reading never waits.
@@ -66,7 +64,7 @@ DescriptorPair makePipe()
     if (::pipe2(ends.data(), O_CLOEXEC) != 0)
         fail(ErrorKind::runtime, "cannot make a pipe: {}", std::strerror(errno));
     ::fcntl(ends[0], F_SETFL, O_NONBLOCK);
-    return {Descriptor(ends[0]), Descriptor(ends[1])};
+    return {native::OwnDescriptor(ends[0]), native::OwnDescriptor(ends[1])};
 }
 
 // For what a child reads. A socket: writing to one whose reader has died can avoid SIGPIPE.
@@ -75,7 +73,7 @@ DescriptorPair makeSocket()
     std::array<int, 2> ends{};
     if (::socketpair(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC, 0, ends.data()) != 0)
         fail(ErrorKind::runtime, "cannot make a socket: {}", std::strerror(errno));
-    return {Descriptor(ends[0]), Descriptor(ends[1])};
+    return {native::OwnDescriptor(ends[0]), native::OwnDescriptor(ends[1])};
 }
 
 // Appends what has arrived, until `text` has `most` bytes. Returns whether more may come.
@@ -98,9 +96,9 @@ bool readArrived(int from, std::string& text, std::size_t most)
 
 struct ChildProcess::Handles {
     pid_t child = -1;
-    Descriptor input;    ///< its stdin, if this program has it
-    Descriptor answered; ///< its stdout, if that comes by itself
-    Descriptor said;
+    native::OwnDescriptor input;    ///< its stdin, if this program has it
+    native::OwnDescriptor answered; ///< its stdout, if that comes by itself
+    native::OwnDescriptor said;
     std::optional<End> end;
 
     ~Handles()
