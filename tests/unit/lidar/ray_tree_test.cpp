@@ -27,7 +27,7 @@ std::vector<shared::RayQuad> someLeaves(std::uint32_t count)
         const auto point = [&](std::uint32_t first) {
             return glm::vec3(number(i, first), number(i, first + 1), number(i, first + 2));
         };
-        const glm::vec3 a = point(0), x = 0.04f * (point(3) - 0.5f), y = 0.04f * (point(6) - 0.5f);
+        const glm::vec3 a = point(0), x = 0.1f * (point(3) - 0.5f), y = 0.1f * (point(6) - 0.5f);
         quads.push_back({a, i, a + x, 0, a + x + y, 0, a + y, 0});
     }
     return quads;
@@ -58,12 +58,11 @@ shared::RayFound searchedOneByOne(const RayTree& tree, const shared::RaySpace& r
 
 TEST(RayTree, RaysMeetWhatATestOfEachQuadFinds)
 {
-    const RayTree tree = rayTreeOf(someLeaves(20'000), 2);
-    ASSERT_EQ(tree.quads.size(), 20'000u);
+    const RayTree tree = rayTreeOf(someLeaves(4000), 2);
+    ASSERT_EQ(tree.quads.size(), 4000u);
     std::uint32_t hits = 0;
-    for (std::uint32_t i = 0; i < 300; ++i) {
-        const glm::vec3 from(2.0f * number(i, 20) - 0.5f, 2.0f * number(i, 21) - 0.5f,
-                             2.0f * number(i, 22) - 0.5f);
+    for (std::uint32_t i = 0; i < 200; ++i) {
+        const glm::vec3 from(number(i, 20), number(i, 21), number(i, 22));
         glm::vec3 towards(number(i, 23) - 0.5f, number(i, 24) - 0.5f, number(i, 25) - 0.5f);
         // Along the axes, too.
         if (i % 5 == 0)
@@ -75,13 +74,13 @@ TEST(RayTree, RaysMeetWhatATestOfEachQuadFinds)
         ASSERT_EQ(found.distance, expected.distance) << i;
         hits += found.quad != shared::rayMisses ? 1 : 0;
     }
-    EXPECT_GT(hits, 100u);
+    EXPECT_GT(hits, 50u);
 }
 
 TEST(RayTree, IsTheSameForAnyNumberOfThreads)
 {
     // More quads than one thread builds alone.
-    const std::vector<shared::RayQuad> leaves = someLeaves(70'000);
+    const std::vector<shared::RayQuad> leaves = someLeaves(40'000);
     const RayTree one = rayTreeOf(leaves, 1), four = rayTreeOf(leaves, 4);
     ASSERT_EQ(one.nodes.size(), four.nodes.size());
     EXPECT_EQ(std::memcmp(one.quads.data(), four.quads.data(),

@@ -5,7 +5,18 @@
 #include "core/error.h"
 #include "core/expect.h"
 
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+
 namespace sward::view {
+namespace {
+
+// Frames for which the blades are moved at most: 2 s, after which nothing is left of how they
+// began.
+constexpr std::uint64_t framesBefore = 120;
+
+} // namespace
 
 std::vector<field::BladePose> movedPoses(const std::string& file, const field::FieldView& field,
                                          const MovedBy& by)
@@ -22,13 +33,15 @@ std::vector<field::BladePose> movedPoses(const std::string& file, const field::F
     options.sownMemory = 0;
     options.device = by.device;
     options.validation = by.validation;
-    options.fixedStep = by.time;
+    const auto frame = static_cast<std::uint64_t>(std::llround(by.time / options.fixedStep));
     Headless headless(options, {.blades = true});
     if (headless.isStreamed())
         fail(ErrorKind::unsupported,
              "{}: the device's memory does not hold all {} blades, so their poses are not known",
              file, field.blades.size());
-    headless.draw(1);
+    for (std::uint64_t i = frame - std::min(frame, framesBefore); i < frame; ++i)
+        headless.skip(i);
+    headless.draw(frame);
     const std::vector<render::FieldRenderer::BladeRecord> blades = headless.blades();
     failOnValidationMessages(headless.instance());
     expect(blades.size() == field.blades.size(), "each blade has a record");

@@ -101,8 +101,8 @@ TEST_F(DeviceLidarTest, ReturnsAreThoseOfTheRayCaster)
             trace::scan(scene, view.origin, species, beams, settings, embree.sink(), progress);
         std::size_t alike = 0, several = 0;
         for (std::size_t i = 0; i < beams.count; ++i) {
-            alike += areAlike(device.ofBeam[i], embree.ofBeam[i]) ? 1 : 0;
-            several += device.ofBeam[i].size() > 1 ? 1 : 0;
+            alike += areAlike(device.ofBeam[i], embree.ofBeam[i]) ? 1u : 0u;
+            several += device.ofBeam[i].size() > 1 ? 1u : 0u;
         }
         EXPECT_GE(double(alike), 0.995 * double(beams.count))
             << alike << " of " << beams.count << " beams";
