@@ -211,9 +211,9 @@ void addLidarCommand(CLI::App& app, apps::Command& chosen)
         ->group("Device");
     options->log.add(*command);
     options->log.addBar(*command);
-    command->footer("Example:\n  sward-view lidar meadow.sward -o points.npy --scanner 0,0 "
-                    "--above 1.8 --rings 64\n"
-                    "  sward-view lidar meadow.sward --airborne 60 --sweep 15 --spacing 0.02");
+    command->footer(
+        "Example:\n  sward-view lidar meadow.sward -o points.npy --scanner 0,0 --above 1.8\n"
+        "  sward-view lidar meadow.sward --airborne 60 --sweep 15 --spacing 0.02");
     command->final_callback(
         [options, &chosen] { chosen = [options] { return measure(*options); }; });
 }

@@ -83,7 +83,7 @@ TEST_F(DeviceLidarTest, ReturnsAreThoseOfTheRayCaster)
     lidar::AirborneScanner air;
     air.over = view.bounds();
     air.origin = view.origin;
-    air.height = 40.0;
+    air.height = 10.0;
     air.spacing = 0.03;
     air.sweep = 15.0f * degree;
     const lidar::SpinningScanner turning{.place = view.origin + glm::dvec3(0.2, 1.0, 0.1),
@@ -106,7 +106,8 @@ TEST_F(DeviceLidarTest, ReturnsAreThoseOfTheRayCaster)
         }
         EXPECT_GE(double(alike), 0.995 * double(beams.count))
             << alike << " of " << beams.count << " beams";
-        EXPECT_GT(several, beams.count / 20) << "beams with several returns";
+        if (settings.rays > 1)
+            EXPECT_GT(several, beams.count / 50) << "beams with several returns";
         EXPECT_EQ(device.counts.rays, embree.counts.rays);
         EXPECT_NEAR(double(device.counts.groundRays), double(embree.counts.groundRays),
                     1e-3 * double(embree.counts.rays));
