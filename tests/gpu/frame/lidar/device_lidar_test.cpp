@@ -106,8 +106,9 @@ TEST_F(DeviceLidarTest, ReturnsAreThoseOfTheRayCaster)
         }
         EXPECT_GE(double(alike), 0.995 * double(beams.count))
             << alike << " of " << beams.count << " beams";
-        if (settings.rays > 1)
+        if (settings.rays > 1) {
             EXPECT_GT(several, beams.count / 50) << "beams with several returns";
+        }
         EXPECT_EQ(device.counts.rays, embree.counts.rays);
         EXPECT_NEAR(double(device.counts.groundRays), double(embree.counts.groundRays),
                     1e-3 * double(embree.counts.rays));
