@@ -7,9 +7,9 @@
 #include "interchange/engine/drawn_look.h"
 #include "interchange/engine/engine_extras.h"
 #include "interchange/gltf/glb_container.h"
+#include "interchange/gltf/gltf_species.h"
 #include "interchange/gltf/gltf_document.h"
 #include "interchange/gltf/gltf_ground.h"
-#include "interchange/gltf/gltf_species.h"
 #include "interchange/instance_attributes.h"
 
 #include <fmt/format.h>

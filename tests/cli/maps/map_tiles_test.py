@@ -27,8 +27,8 @@ try:
 except ImportError:
     gdal = None
 
-# Half a step of compact places along each axis, and half a millimetre [m].
-ROOT_ERROR = 0.001
+# Half a step of compact places along each axis, and the bend [m]; tiles wider than 8 km have larger steps.
+ROOT_ERROR, WIDE_ERROR = 0.001, 0.003
 
 
 def system(name):
@@ -74,7 +74,7 @@ class MapTiles(ExportTest):
             found = gltf_instances.instances(glb)
             low, high = tiles.box(tile)
             local = tilesets.z_up(found["place"])
-            self.assertTrue(((local >= low - 0.001) & (local <= high + 0.001)).all(), "blades lie in their tiles")
+            self.assertTrue(((local >= low - WIDE_ERROR) & (local <= high + WIDE_ERROR)).all(), "blades lie in their tiles")
             places.append(local @ tiles.transform[:3, :3].T + tiles.transform[:3, 3])
             ups.append(tilesets.z_up(turned(found["ROTATION"], (0, 1, 0))) @ tiles.transform[:3, :3].T)
             ids.append(found["id"][:, 0])
@@ -83,10 +83,10 @@ class MapTiles(ExportTest):
         self.assertTrue(numpy.array_equal(numpy.concatenate(ids)[order], table["id"].astype(numpy.uint64)))
         return numpy.concatenate(places)[order], numpy.concatenate(ups)[order], table
 
-    def assert_on_earth(self, name, places, table, start=(0.0, 0.0), above=0.0):
+    def assert_on_earth(self, name, places, table, start=(0.0, 0.0), above=0.0, error=ROOT_ERROR):
         east_north = numpy.column_stack([table["x"] + start[0], -table["z"] + start[1]])
         expected = earth_centred(degrees_of(name, east_north), table["y"] + above)
-        self.assertLess(float(numpy.linalg.norm(places - expected, axis=1).max()), ROOT_ERROR)
+        self.assertLess(float(numpy.linalg.norm(places - expected, axis=1).max()), error)
         return expected
 
     def test_roots_stand_where_the_map_has_them(self):
@@ -97,7 +97,7 @@ class MapTiles(ExportTest):
                            "vertical", "-o", "f.sward", "--force", "-q")
                 self.assertEqual(json.loads(self.sward("info", "f.sward", "--json").stdout)["provenance"]["map_system"], f"EPSG:{epsg}")
                 places, ups, table = self.placed("f.sward")
-                expected = self.assert_on_earth(f"EPSG:{epsg}", places, table)
+                expected = self.assert_on_earth(f"EPSG:{epsg}", places, table, error=WIDE_ERROR if step == 300 else ROOT_ERROR)
                 # A level blade stands along the normal of the ellipsoid, to the steps of rotations.
                 normals = expected / numpy.array([6378137.0 ** 2] * 2 + [6356752.314245 ** 2])
                 normals /= numpy.linalg.norm(normals, axis=1)[:, None]
