@@ -14,8 +14,8 @@ namespace sward::interchange {
 namespace {
 
 // Least distance of knots [m], and most of them along an axis.
-constexpr double leastStep = 512.0;
-constexpr double mostSteps = 1000.0;
+constexpr double minStep = 512.0;
+constexpr double maxSteps = 1000.0;
 
 // Weights of the four knots around a place, of which it lies between the second and the third: the
 // curve of Catmull and Rom, exact for parabolas.
@@ -40,7 +40,7 @@ EarthBend::EarthBend(const MapToEarth& map, const glm::dvec3& origin, const DAab
     const glm::dvec3 low = roots.isEmpty() ? glm::dvec3(0.0) : roots.low;
     const glm::dvec3 extent = roots.size();
     const glm::dvec3 middle = low + 0.5 * extent;
-    step_ = std::max(leastStep, std::max(extent.x, extent.z) / mostSteps);
+    step_ = std::max(minStep, std::max(extent.x, extent.z) / maxSteps);
     lowX_ = low.x - 1.5 * step_;
     lowZ_ = low.z - 1.5 * step_;
     columns_ = static_cast<std::size_t>(std::ceil(extent.x / step_)) + 4;
