@@ -175,6 +175,8 @@ void append(GroundMesh& mesh, const GroundMesh& other)
         else if (!other.copyright.empty() && other.copyright != mesh.copyright)
             mesh.copyright += "; " + other.copyright;
     }
+    mesh.heightCells =
+        mesh.positions.empty() && mesh.origin == other.origin ? other.heightCells : nullptr;
     mesh.hasColors = mesh.hasColors || other.hasColors;
     mesh.precision = std::max(mesh.precision, other.precision);
 

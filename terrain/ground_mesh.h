@@ -50,6 +50,23 @@ struct GroundMaterial {
     float alphaCutoff = -1.0f; ///< no ground where its alpha is below; −1: no cut-outs
 };
 
+/// The cells of ground that is a grid of heights, with which rays are cheap. Their corners lie
+/// where lines of equal x and of equal z meet. A cell has an upper triangle, whose corners are its
+/// north-west (least x and z), south-west and north-east, and a lower one: north-east, south-west,
+/// south-east; one or both may be missing.
+struct HeightCells {
+    static constexpr std::uint32_t upper = 1; ///< flags of a cell
+    static constexpr std::uint32_t lower = 2;
+
+    glm::dvec2 first{0.0}; ///< [m] x and z of the first corner from the ground's origin
+    glm::dvec2 step{1.0};  ///< [m] between lines
+    glm::uvec2 count{0U};  ///< along x and z
+
+    /// Of each cell, by rows along x: 4 times its first triangle, plus flags. A lower triangle
+    /// follows an upper one. All triangles of the ground are here.
+    std::vector<std::uint32_t> triangles;
+};
+
 /// The ground: an indexed triangle soup in world space, Y up, metres. It need not be manifold,
 /// closed or connected. Corners of a triangle turn anti-clockwise seen from its front.
 ///
@@ -79,6 +96,12 @@ struct GroundMesh {
     std::vector<std::string> nodes; ///< names; the path "parent/child" for nested nodes
     std::string mapSystem; ///< coordinate system of the world as WKT: x east, z south; or empty
     std::string copyright; ///< glTF asset.copyright, passed on to exports
+
+    std::shared_ptr<const HeightCells> heightCells; ///< null: it is no grid, or nobody knows
+
+    /// Every so many points of a finer ground, which it stands for (MapSurvey). 1: the ground
+    /// itself.
+    std::uint32_t overview = 1;
 
     double precision = 0.0; ///< [m] to which vertices of open edges are taken for one; 0: exact
     bool hasColors = false; ///< some vertex has a colour in the file

@@ -72,6 +72,12 @@ void write(RecordWriter& writer, const GroundMesh& ground)
     writer.add(std::string_view(ground.mapSystem));
     writer.addOne(static_cast<std::uint32_t>(ground.hasColors ? 1 : 0));
     writer.addOne(static_cast<std::uint32_t>(ground.hasNormals ? 1 : 0));
+    const HeightCells none;
+    const HeightCells& cells = ground.heightCells ? *ground.heightCells : none;
+    writer.addOne(cells.first);
+    writer.addOne(cells.step);
+    writer.addOne(cells.count);
+    writer.add(cells.triangles);
 }
 
 GroundMesh readGround(RecordReader& reader, const std::string& place)
@@ -129,6 +135,13 @@ GroundMesh readGround(RecordReader& reader, const std::string& place)
     ground.hasColors = flag != 0;
     reader.readOne(flag);
     ground.hasNormals = flag != 0;
+    HeightCells cells;
+    reader.readOne(cells.first);
+    reader.readOne(cells.step);
+    reader.readOne(cells.count);
+    reader.read(cells.triangles);
+    if (!cells.triangles.empty())
+        ground.heightCells = std::make_shared<const HeightCells>(std::move(cells));
     if (!ground.triangles.empty())
         validate(ground, place);
     return ground;

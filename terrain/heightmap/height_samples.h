@@ -1,6 +1,8 @@
 #pragma once
 
 #include "core/diagnostics.h"
+#include "terrain/heightmap/heightfield.h"
+#include "terrain/maps/map_grid.h"
 
 #include <glm/vec2.hpp>
 
@@ -76,6 +78,9 @@ inline constexpr double metresOfLatitude = 3600.0 * 30.87;
 /// Highest less lowest sample; 0 without any.
 double reliefOf(const HeightSamples& samples);
 
+/// Whether a sample of metres stands for no height, as dropNoData() takes it.
+bool isNoHeight(float value);
+
 /// Sets samples of metres that are not finite, farther than 1000 km from 0, or −9999, −32767,
 /// −32768 or −99999 to NaN, with a warning.
 void dropNoData(HeightSamples& samples, const std::string& place, Diagnostics& diagnostics);
@@ -87,6 +92,10 @@ void hintAtNoData(const HeightSamples& samples, const std::string& place, Diagno
 /// part of the range, heights from 0 to 1 in metres.
 void hintAtFewHeights(const HeightSamples& samples, const std::string& place,
                       Diagnostics& diagnostics);
+
+/// The grid of a map's samples: x to the east and z to the south, by its place, else a metre from
+/// sample to sample around the origin.
+HeightGrid placeOf(const MapGrid& map);
 
 /// The first band of a GeoTIFF, in metres of its map (maps/map_grid.h).
 HeightSamples readMapHeights(const std::string& path, Diagnostics& diagnostics);

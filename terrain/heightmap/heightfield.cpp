@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <memory>
 
 namespace sward::terrain {
 namespace {
@@ -20,21 +21,16 @@ void forEachRow(std::size_t rows, Row&& row)
     forEachBlock(rows, 1, [&](std::size_t j, std::size_t) { row(j); });
 }
 
-// Grid line i of `cells` lies at extent·(i/cells − 1/2).
-double lineAt(std::size_t i, double cells, double extent)
-{
-    return extent * (static_cast<double>(i) / cells - 0.5);
-}
-
 class Heightfield {
 public:
-    Heightfield(const HeightGrid& grid, const std::vector<double>& heights,
+    Heightfield(const HeightGrid& grid, const HeightPart& part, const std::vector<double>& heights,
                 const std::vector<std::uint8_t>& holes)
         : grid_(grid)
+        , part_(part)
         , heights_(heights)
         , holes_(holes)
-        , columns_(grid.cells.x + 1)
-        , rows_(grid.cells.y + 1)
+        , columns_(part.points.x)
+        , rows_(part.points.y)
         , cells_(grid.cells)
         , step_(grid.extent / cells_)
     {
@@ -43,9 +39,14 @@ public:
     GroundMesh run(const std::string& place)
     {
         addTriangles();
-        if (mesh_.triangles.empty())
+        if (mesh_.triangles.empty()) {
+            if (part_.origin)
+                return {};
             fail(ErrorKind::input, "{}: no ground: each of its {} x {} cells is a hole", place,
                  grid_.cells.x, grid_.cells.y);
+        }
+        if (part_.stride == 1)
+            addCells();
         numberVertices();
         addVertices();
         mesh_.materialOf.assign(mesh_.triangles.size(), 0);
@@ -66,15 +67,28 @@ private:
 
     bool hasGround(std::size_t point) const { return !std::isnan(heights_[point]); }
 
-    // Calls `take` for each triangle of row j of cells, its corners anti-clockwise from above.
+    // Point of the grid.
+    std::size_t columnOf(std::size_t i) const
+    {
+        return std::min<std::size_t>(part_.first.x + i * part_.stride, grid_.cells.x);
+    }
+    std::size_t rowOf(std::size_t j) const
+    {
+        return std::min<std::size_t>(part_.first.y + j * part_.stride, grid_.cells.y);
+    }
+
+    // Calls `take` for each triangle of row j of the ground's cells, its corners anti-clockwise
+    // from above.
     template <typename Take>
     void eachTriangle(std::size_t j, Take&& take) const
     {
-        for (std::size_t i = 0; i < grid_.cells.x; ++i) {
-            if (!holes_.empty() && holes_[j * grid_.cells.x + i] != 0)
+        const std::size_t row = part_.firstCell.y + j;
+        const std::size_t end = std::size_t(part_.firstCell.x) + part_.cells.x;
+        for (std::size_t i = part_.firstCell.x; i < end; ++i) {
+            if (!holes_.empty() && holes_[row * grid_.cells.x + i] != 0)
                 continue;
-            const glm::uvec3 upper(pointAt(i, j), pointAt(i, j + 1), pointAt(i + 1, j));
-            const glm::uvec3 lower(upper.z, upper.y, pointAt(i + 1, j + 1));
+            const glm::uvec3 upper(pointAt(i, row), pointAt(i, row + 1), pointAt(i + 1, row));
+            const glm::uvec3 lower(upper.z, upper.y, pointAt(i + 1, row + 1));
             for (const glm::uvec3& corners : {upper, lower})
                 if (hasGround(corners.x) && hasGround(corners.y) && hasGround(corners.z))
                     take(corners);
@@ -84,24 +98,51 @@ private:
     void addTriangles()
     {
         // Count first, to find each row's first triangle.
-        std::vector<std::size_t> first(grid_.cells.y + 1, 0);
-        forEachRow(grid_.cells.y, [&](std::size_t j) {
+        const std::size_t rows = part_.cells.y;
+        std::vector<std::size_t> first(rows + 1, 0);
+        forEachRow(rows, [&](std::size_t j) {
             eachTriangle(j, [&](const glm::uvec3&) { ++first[j + 1]; });
         });
         for (std::size_t j = 1; j < first.size(); ++j)
             first[j] += first[j - 1];
         mesh_.triangles.resize(first.back());
-        forEachRow(grid_.cells.y, [&](std::size_t j) {
+        mesh_.sourceOf.resize(part_.firstTriangle.empty() ? 0 : first.back());
+        forEachRow(rows, [&](std::size_t j) {
             std::size_t next = first[j];
             eachTriangle(j, [&](const glm::uvec3& corners) { mesh_.triangles[next++] = corners; });
+            for (std::size_t t = first[j]; t < next && !mesh_.sourceOf.empty(); ++t)
+                mesh_.sourceOf[t] =
+                    part_.firstTriangle[j] + static_cast<std::uint32_t>(t - first[j]);
         });
+    }
+
+    // As they are before vertices are numbered: a corner tells its point.
+    void addCells()
+    {
+        cellsOf_ = std::make_shared<HeightCells>();
+        cellsOf_->step = step_;
+        cellsOf_->count = part_.cells;
+        std::vector<std::uint32_t>& list = cellsOf_->triangles;
+        list.assign(std::size_t(part_.cells.x) * part_.cells.y, 0);
+        for (std::size_t t = 0; t < mesh_.triangles.size(); ++t) {
+            const glm::uvec3 corners = mesh_.triangles[t];
+            // Both kinds have the south-west second. The upper one begins at the north-west.
+            const std::size_t row = corners.y / columns_ - 1, column = corners.y % columns_;
+            const bool isUpper = corners.x == pointAt(column, row);
+            std::uint32_t& cell =
+                list[(row - part_.firstCell.y) * part_.cells.x + column - part_.firstCell.x];
+            if (cell == 0)
+                cell = static_cast<std::uint32_t>(4 * t);
+            cell |= isUpper ? HeightCells::upper : HeightCells::lower;
+        }
     }
 
     // Drops unused points; `newIndex_` stays empty if there are none.
     void numberVertices()
     {
         vertices_ = heights_.size();
-        if (mesh_.triangles.size() == std::size_t(2) * grid_.cells.x * grid_.cells.y)
+        if (mesh_.triangles.size() == std::size_t(2) * part_.cells.x * part_.cells.y &&
+            part_.cells + 1U == part_.points)
             return;
         newIndex_.assign(heights_.size(), unused);
         for (const glm::uvec3& triangle : mesh_.triangles)
@@ -123,8 +164,14 @@ private:
             for (std::size_t i = 0; i < columns_; ++i)
                 if (newIndex_.empty() || newIndex_[pointAt(i, j)] != unused)
                     bounds.add(positionAt(i, j));
-        mesh_.origin = originFor(bounds);
+        mesh_.origin = part_.origin ? *part_.origin : originFor(bounds);
 
+        if (cellsOf_) {
+            const glm::dvec3 corner =
+                positionAt(part_.firstCell.x, part_.firstCell.y) - mesh_.origin;
+            cellsOf_->first = {corner.x, corner.z};
+            mesh_.heightCells = cellsOf_;
+        }
         mesh_.positions.resize(vertices_);
         mesh_.normals.resize(vertices_);
         mesh_.uvs.resize(vertices_);
@@ -137,38 +184,53 @@ private:
                     continue;
                 mesh_.positions[vertex] = glm::vec3(positionAt(i, j) - mesh_.origin);
                 mesh_.normals[vertex] = normalAt(i, j);
-                mesh_.uvs[vertex] = glm::vec2(glm::dvec2(i, j) / cells_);
+                mesh_.uvs[vertex] = glm::vec2(glm::dvec2(columnOf(i), rowOf(j)) / cells_);
             }
         });
     }
 
     glm::dvec3 positionAt(std::size_t i, std::size_t j) const
     {
-        return {grid_.middle.x + lineAt(i, cells_.x, grid_.extent.x), heights_[pointAt(i, j)],
-                grid_.middle.y + lineAt(j, cells_.y, grid_.extent.y)};
+        return {grid_.middle.x + heightLineAt(columnOf(i), cells_.x, grid_.extent.x),
+                heights_[pointAt(i, j)],
+                grid_.middle.y + heightLineAt(rowOf(j), cells_.y, grid_.extent.y)};
     }
 
+    // A point and the steps of the grid to it.
+    struct Beside {
+        std::size_t point;
+        std::size_t steps;
+    };
+
     // Slope over the two cells beside `own`, or over one cell at a border.
-    double slope(std::size_t before, std::size_t own, std::size_t after, double step) const
+    double slope(Beside before, std::size_t own, Beside after, double step) const
     {
-        const std::size_t from = hasGround(before) ? before : own;
-        const std::size_t to = hasGround(after) ? after : own;
-        const double cells = (from == own ? 0.0 : 1.0) + (to == own ? 0.0 : 1.0);
-        return cells == 0.0 ? 0.0 : (heights_[to] - heights_[from]) / (cells * step);
+        if (!hasGround(before.point))
+            before = {own, 0};
+        if (!hasGround(after.point))
+            after = {own, 0};
+        const auto steps = static_cast<double>(before.steps + after.steps);
+        return steps == 0.0 ? 0.0
+                            : (heights_[after.point] - heights_[before.point]) / (steps * step);
     }
 
     glm::vec3 normalAt(std::size_t i, std::size_t j) const
     {
         const std::size_t own = pointAt(i, j);
+        const Beside none{own, 0};
+        const std::size_t column = columnOf(i), row = rowOf(j);
         const double slopeX =
-            slope(i == 0 ? own : own - 1, own, i + 1 < columns_ ? own + 1 : own, step_.x);
-        const double slopeZ = slope(j == 0 ? own : own - columns_, own,
-                                    j + 1 < rows_ ? own + columns_ : own, step_.y);
+            slope(i == 0 ? none : Beside{own - 1, column - columnOf(i - 1)}, own,
+                  i + 1 < columns_ ? Beside{own + 1, columnOf(i + 1) - column} : none, step_.x);
+        const double slopeZ =
+            slope(j == 0 ? none : Beside{own - columns_, row - rowOf(j - 1)}, own,
+                  j + 1 < rows_ ? Beside{own + columns_, rowOf(j + 1) - row} : none, step_.y);
         const glm::dvec3 normal(-slopeX, 1.0, -slopeZ);
         return glm::vec3(normal / std::sqrt(glm::dot(normal, normal)));
     }
 
     const HeightGrid& grid_;
+    const HeightPart& part_;
     const std::vector<double>& heights_;
     const std::vector<std::uint8_t>& holes_;
     std::size_t columns_;
@@ -176,6 +238,7 @@ private:
     glm::dvec2 cells_;
     glm::dvec2 step_;
     GroundMesh mesh_;
+    std::shared_ptr<HeightCells> cellsOf_;
     std::vector<std::uint32_t> newIndex_; // of each point; empty: unchanged
     std::size_t vertices_ = 0;
 };
@@ -191,8 +254,9 @@ GroundMesh heightfield(const HeightGrid& grid,
     std::vector<double> heights(grid.points());
     forEachRow(grid.cells.y + 1, [&](std::size_t j) {
         for (std::size_t i = 0; i < columns; ++i)
-            heights[j * columns + i] = height(grid.middle.x + lineAt(i, cells.x, grid.extent.x),
-                                              grid.middle.y + lineAt(j, cells.y, grid.extent.y));
+            heights[j * columns + i] =
+                height(grid.middle.x + heightLineAt(i, cells.x, grid.extent.x),
+                       grid.middle.y + heightLineAt(j, cells.y, grid.extent.y));
     });
     return heightfield(grid, heights, {}, "heightfield");
 }
@@ -204,7 +268,19 @@ GroundMesh heightfield(const HeightGrid& grid, const std::vector<double>& height
     expect(heights.size() == grid.points(), "a height for each point");
     expect(holes.empty() || holes.size() == std::size_t(grid.cells.x) * grid.cells.y,
            "a hole for each cell");
-    return Heightfield(grid, heights, holes).run(place);
+    return Heightfield(grid, {.points = grid.cells + 1U, .cells = grid.cells}, heights, holes)
+        .run(place);
+}
+
+GroundMesh heightfield(const HeightGrid& grid, const HeightPart& part,
+                       const std::vector<double>& heights, const std::string& place)
+{
+    expect(part.stride > 0, "a stride of a point or more");
+    expect(heights.size() == std::size_t(part.points.x) * part.points.y, "a height for each point");
+    expect(part.firstCell.x + part.cells.x < part.points.x &&
+               part.firstCell.y + part.cells.y < part.points.y,
+           "heights at all corners of cells");
+    return Heightfield(grid, part, heights, {}).run(place);
 }
 
 } // namespace sward::terrain

@@ -6,6 +6,8 @@
 
 #include <cstdint>
 #include <functional>
+#include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -24,6 +26,20 @@ struct HeightGrid {
 /// times that with rays.
 inline constexpr std::size_t heightPointLimit = 17'000'000;
 
+/// A part of a grid: the points whose heights are given, and the cells that become ground.
+struct HeightPart {
+    glm::uvec2 first{0U};     ///< column and row of the grid where the heights begin
+    glm::uvec2 points{0U};    ///< heights along x and z
+    std::uint32_t stride = 1; ///< every so many points of the grid, and its last ones
+    glm::uvec2 firstCell{0U}; ///< of the ground, among the cells between these heights
+    glm::uvec2 cells{0U};     ///< of the ground; heights around them give the normals at its edge
+
+    std::optional<glm::dvec3> origin{}; ///< of the ground; unset: of its own bounds
+
+    /// Number in the whole ground of the first triangle of each row of cells. Empty: from 0.
+    std::span<const std::uint32_t> firstTriangle{};
+};
+
 /// Ground with height [m] `height` above (x, z). Two triangles per cell, texture coordinates once
 /// over the whole, normals by central differences of the grid (one-sided at borders). `height` is
 /// called from several threads.
@@ -35,5 +51,17 @@ GroundMesh heightfield(const HeightGrid& grid,
 /// order, or empty). Throws Error{input} naming `place` if no triangle is left.
 GroundMesh heightfield(const HeightGrid& grid, const std::vector<double>& heights,
                        const std::vector<std::uint8_t>& holes, const std::string& place);
+
+/// The same for a part of a grid. Its triangles are those of the whole ground, bit by bit, if the
+/// origin is, and if heights around its cells are given where the grid has them. Has no triangles
+/// where all are holes.
+GroundMesh heightfield(const HeightGrid& grid, const HeightPart& part,
+                       const std::vector<double>& heights, const std::string& place);
+
+/// Place [m] along an axis of point `i` of a grid, from its middle.
+inline double heightLineAt(std::size_t i, double cells, double extent)
+{
+    return extent * (static_cast<double>(i) / cells - 0.5);
+}
 
 } // namespace sward::terrain

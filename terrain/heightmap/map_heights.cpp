@@ -4,9 +4,22 @@
 
 namespace sward::terrain {
 
+HeightGrid placeOf(const MapGrid& map)
+{
+    HeightGrid grid;
+    grid.cells = map.size - 1U;
+    const bool hasPlace = map.step.x > 0.0;
+    grid.extent = (hasPlace ? map.step : glm::dvec2(1.0)) * glm::dvec2(grid.cells);
+    // North is -z.
+    const glm::dvec2 half = 0.5 * map.step * glm::dvec2(grid.cells);
+    if (hasPlace)
+        grid.middle = {map.first.x + half.x, half.y - map.first.y};
+    return grid;
+}
+
 HeightSamples readMapHeights(const std::string& path, Diagnostics& diagnostics)
 {
-    MapGrid grid = readMap(path, {.maxSamples = heightPointLimit}, "heights", diagnostics);
+    MapGrid grid = readMap(path, {.maxSamples = heightPointLimit}, heightsOption, diagnostics);
     requireHeightmapSize(grid.size.x, grid.size.y, path);
     HeightSamples samples;
     samples.size = grid.size;
@@ -14,9 +27,7 @@ HeightSamples readMapHeights(const std::string& path, Diagnostics& diagnostics)
     samples.values = std::move(grid.values);
     if (grid.step.x > 0.0) {
         samples.step = grid.step;
-        // North is -z.
-        const glm::dvec2 half = 0.5 * grid.step * glm::dvec2(grid.size - 1U);
-        samples.middle = {grid.first.x + half.x, half.y - grid.first.y};
+        samples.middle = placeOf(grid).middle;
         samples.mapSystem = std::move(grid.system);
     }
     dropNoData(samples, path, diagnostics);

@@ -59,13 +59,18 @@ double reliefOf(const HeightSamples& samples)
     return low <= high ? static_cast<double>(high) - static_cast<double>(low) : 0.0;
 }
 
+bool isNoHeight(float value)
+{
+    // The negation also catches NaN.
+    return !(std::fabs(value) < reach) ||
+           std::find(surveyGaps.begin(), surveyGaps.end(), value) != surveyGaps.end();
+}
+
 void dropNoData(HeightSamples& samples, const std::string& place, Diagnostics& diagnostics)
 {
     std::size_t holes = 0;
     for (float& value : samples.values)
-        // The negation also catches NaN.
-        if (!(std::fabs(value) < reach) ||
-            std::find(surveyGaps.begin(), surveyGaps.end(), value) != surveyGaps.end()) {
+        if (isNoHeight(value)) {
             value = std::numeric_limits<float>::quiet_NaN();
             ++holes;
         }

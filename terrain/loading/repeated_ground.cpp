@@ -229,6 +229,7 @@ std::vector<std::uint32_t> suspectsOf(const GroundMesh& mesh)
 
 void removeTriangles(GroundMesh& mesh, const std::vector<bool>& removed)
 {
+    mesh.heightCells = nullptr;
     // Renumber triangles, and the gaps between them.
     std::vector<std::uint32_t> before(removed.size() + 1, 0); // kept triangles
     for (std::size_t t = 0; t < removed.size(); ++t)

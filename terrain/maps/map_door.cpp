@@ -63,6 +63,12 @@ MapGrid readMap(const std::string& path, const MapRequest& request, const std::s
     return readerFor(path).readMap(path, request, option, diagnostics);
 }
 
+std::unique_ptr<MapRaster> openMap(const std::string& path, const MapRequest& request,
+                                   const std::string& option, Diagnostics& diagnostics)
+{
+    return readerFor(path).openMap(path, request, option, diagnostics);
+}
+
 std::shared_ptr<const MapShapes> readMapShapes(const std::string& path, double margin,
                                                const std::string& system, Diagnostics& diagnostics)
 {

@@ -20,6 +20,9 @@ namespace {
 // Points on each side of a rectangle, which systems bend.
 constexpr int pointsOfSide = 21;
 
+// Most samples of a window, of a file that is turned.
+constexpr std::size_t maxWindow = 25'000'000;
+
 constexpr float none = std::numeric_limits<float>::quiet_NaN();
 
 struct CloseMap {
@@ -75,55 +78,56 @@ std::string textOfBounds(const MapBounds& bounds)
                        bounds.low.y, bounds.high.y);
 }
 
-class Raster {
+// The part of a raster's grid that is wanted.
+struct GridPart {
+    glm::dvec2 from{0.0};  // whole column and row
+    glm::dvec2 count{0.0}; // of columns and rows
+    double thin = 1.0;     // every so many
+};
+
+class Raster : public MapRaster {
 public:
-    Raster(const std::string& path, const MapRequest& request, const std::string& option,
-           Diagnostics& diagnostics)
-        : path_(path)
-        , request_(request)
-        , option_(option)
-        , diagnostics_(diagnostics)
+    Raster(std::string path, MapRequest request, std::string option, Diagnostics& diagnostics)
+        : path_(std::move(path))
+        , request_(std::move(request))
+        , option_(std::move(option))
     {
         open();
+        if (hasPlace_)
+            place(diagnostics);
+        else if (request_.system || request_.within)
+            fail(ErrorKind::input,
+                 "{}: {}: says nowhere where it lies (no geotransform); gdal_edit.py -a_ullr "
+                 "sets it",
+                 option_, path_);
+        else
+            grid_.size = size_;
     }
 
-    MapGrid read()
+    const MapGrid& grid() const override { return grid_; }
+
+    void read(glm::uvec2 from, glm::uvec2 count, std::span<float> values) override
     {
-        if (!hasPlace_) {
-            if (request_.system || request_.within)
-                fail(ErrorKind::input,
-                     "{}: {}: says nowhere where it lies (no geotransform); gdal_edit.py -a_ullr "
-                     "sets it",
-                     option_, path_);
-            MapGrid grid;
-            grid.size = size_;
-            requireFew(double(size_.x) * double(size_.y));
-            grid.values = samples({0, 0}, size_);
-            return grid;
-        }
-        const MapSystem target = targetSystem();
-        const MapChange toTarget(own_, target, path_), toOwn(target, own_, path_);
-        // What the file covers, in the target's metres.
-        std::vector<glm::dvec2> edge = edgeOf({0, 0}, glm::dvec2(size_));
-        for (glm::dvec2& point : edge)
-            point = placement_.place(point);
-        toTarget.apply(edge);
-        const MapBounds covered = boundsOf(edge);
-        if (!(covered.low.x < covered.high.x && covered.low.y < covered.high.y))
-            fail(ErrorKind::input, "{}: lies nowhere in the coordinate system {}", path_,
-                 nameOf(target));
-        MapBounds wanted = covered;
-        if (request_.within) {
-            wanted.low = glm::max(wanted.low, request_.within->low);
-            wanted.high = glm::min(wanted.high, request_.within->high);
-            if (!(wanted.low.x < wanted.high.x && wanted.low.y < wanted.high.y))
-                fail(ErrorKind::input, "{}: {}: covers {}, and the ground {}: they do not meet",
-                     option_, path_, textOfBounds(covered), textOfBounds(*request_.within));
-        }
-        MapGrid grid = toTarget.handle() == nullptr && placement_.isNorthUp()
-                           ? direct(wanted)
-                           : resampled(wanted, toTarget, toOwn);
-        grid.system = wktOf(target);
+        fill({glm::dvec2(from), glm::dvec2(count)}, maxWindow, values);
+    }
+
+    // All, or what is wanted.
+    MapGrid wanted() const
+    {
+        GridPart part{{0.0, 0.0}, glm::dvec2(grid_.size)};
+        if (request_.within)
+            part = partWithin(*request_.within);
+        const double count = part.count.x * part.count.y;
+        if (request_.mayThin)
+            part.thin = std::max(1.0, std::ceil(std::sqrt(count / double(request_.maxSamples))));
+        else
+            requireFew(count);
+        MapGrid grid = grid_;
+        grid.from = part.from / part.thin;
+        grid.step *= part.thin;
+        grid.size = glm::uvec2(glm::ceil(part.count / part.thin));
+        grid.values.resize(std::size_t(grid.size.x) * grid.size.y);
+        fill(part, request_.maxSamples, grid.values);
         return grid;
     }
 
@@ -157,7 +161,7 @@ private:
         own_ = systemOf(GDALGetSpatialRef(file_.get()));
     }
 
-    MapSystem targetSystem() const
+    MapSystem targetSystem(Diagnostics& diagnostics) const
     {
         if (request_.system && !request_.system->empty()) {
             if (own_ == nullptr)
@@ -168,8 +172,8 @@ private:
             return systemOf(*request_.system, path_);
         }
         if (own_ == nullptr) {
-            diagnostics_.warn("{}: names no coordinate system; its units are taken for metres",
-                              path_);
+            diagnostics.warn("{}: names no coordinate system; its units are taken for metres",
+                             path_);
             return nullptr;
         }
         if (isInMetres(own_))
@@ -181,27 +185,109 @@ private:
                  option_, path_, nameOf(own_));
         const glm::dvec2 middle = placement_.place(0.5 * glm::dvec2(size_));
         MapSystem local = localSystem(own_, middle, path_);
-        diagnostics_.warn("{}: {} is not in metres; the ground is in those of a transverse "
-                          "Mercator at its middle, {:.6g}, {:.6g}",
-                          path_, nameOf(own_), middle.x, middle.y);
+        diagnostics.warn("{}: {} is not in metres; the ground is in those of a transverse "
+                         "Mercator at its middle, {:.6g}, {:.6g}",
+                         path_, nameOf(own_), middle.x, middle.y);
         return local;
+    }
+
+    // Lays the grid.
+    void place(Diagnostics& diagnostics)
+    {
+        const MapSystem target = targetSystem(diagnostics);
+        toTarget_.emplace(own_, target, path_);
+        toOwn_.emplace(target, own_, path_);
+        grid_.system = wktOf(target);
+        // What the file covers, in the target's metres.
+        std::vector<glm::dvec2> edge = edgeOf({0, 0}, glm::dvec2(size_));
+        for (glm::dvec2& point : edge)
+            point = placement_.place(point);
+        toTarget_->apply(edge);
+        covered_ = boundsOf(edge);
+        if (!(covered_.low.x < covered_.high.x && covered_.low.y < covered_.high.y))
+            fail(ErrorKind::input, "{}: lies nowhere in the coordinate system {}", path_,
+                 nameOf(target));
+        isDirect_ = toTarget_->handle() == nullptr && placement_.isNorthUp();
+        if (isDirect_) {
+            grid_.size = size_;
+            grid_.first = placement_.place(glm::dvec2(0.5));
+            grid_.step = {placement_.a[1], -placement_.a[5]};
+            return;
+        }
+        // Steps as long as the file's pixels are wide in its middle, counted from a pixel there.
+        const glm::dvec2 middle = glm::floor(0.5 * glm::dvec2(size_)) + 0.5;
+        centre_ = toTarget_->at(placement_.place(middle));
+        const glm::dvec2 right =
+            toTarget_->at(placement_.place(middle + glm::dvec2(1, 0))) - centre_;
+        const glm::dvec2 below =
+            toTarget_->at(placement_.place(middle + glm::dvec2(0, 1))) - centre_;
+        const double step = std::sqrt(std::abs(right.x * below.y - right.y * below.x));
+        if (!(step > 1e-6 && step < 1e7))
+            fail(ErrorKind::input, "{}: its pixels have no size in metres", path_);
+        low_ = glm::ceil((covered_.low - centre_) / step - 1e-6);
+        high_ = glm::floor((covered_.high - centre_) / step + 1e-6);
+        const glm::dvec2 size = glm::max(high_ - low_ + 1.0, glm::dvec2(1.0));
+        if (!(size.x * size.y < 1e15 && std::max(size.x, size.y) < 4e9))
+            fail(ErrorKind::input, "{}: {:.0f} x {:.0f} samples in {}", path_, size.x, size.y,
+                 nameOf(target));
+        grid_.size = glm::uvec2(size);
+        grid_.step = glm::dvec2(step);
+        grid_.first = centre_ + glm::dvec2(low_.x, high_.y) * step;
+    }
+
+    // The samples that cover bounds, and those beside them, for interpolation.
+    GridPart partWithin(const MapBounds& within) const
+    {
+        MapBounds wanted = covered_;
+        wanted.low = glm::max(wanted.low, within.low);
+        wanted.high = glm::min(wanted.high, within.high);
+        if (!(wanted.low.x < wanted.high.x && wanted.low.y < wanted.high.y))
+            fail(ErrorKind::input, "{}: {}: covers {}, and the ground {}: they do not meet",
+                 option_, path_, textOfBounds(covered_), textOfBounds(within));
+        if (!isDirect_) {
+            const glm::dvec2 low = glm::floor((wanted.low - centre_) / grid_.step),
+                             high = glm::ceil((wanted.high - centre_) / grid_.step);
+            return {{low.x - low_.x, high_.y - high.y}, high - low + 1.0};
+        }
+        const glm::dvec2 a = placement_.pixel({wanted.low.x, wanted.high.y}),
+                         b = placement_.pixel({wanted.high.x, wanted.low.y});
+        const glm::dvec2 size(size_);
+        const glm::dvec2 from =
+            glm::clamp(glm::floor(glm::min(a, b)) - 1.0, glm::dvec2(0.0), size - 1.0);
+        return {from, glm::clamp(glm::ceil(glm::max(a, b)) + 1.0, from + 1.0, size) - from};
+    }
+
+    void fill(const GridPart& part, std::size_t maxSamples, std::span<float> values) const
+    {
+        if (hasPlace_ && !isDirect_)
+            resample(part, maxSamples, values);
+        else
+            samples(part, values);
     }
 
     void requireFew(double count) const
     {
-        if (!(count <= double(request_.maxSamples)))
+        if (count <= double(request_.maxSamples))
+            return;
+        if (option_ == heightsOption)
             fail(ErrorKind::unsupported,
-                 "{}: {:.0f} samples, more than {}; gdal_translate -tr makes them wider, -projwin "
-                 "takes a part",
-                 path_, count, request_.maxSamples);
+                 "{}: {:.0f} samples, more than the {} of one ground; sward plan --tiles {:.0f}, "
+                 "tile and merge bake it window by window (docs/maps.md); gdal_translate -tr makes "
+                 "it coarser, -projwin takes a part",
+                 path_, count, request_.maxSamples, std::ceil(count / samplesOfTile));
+        fail(ErrorKind::unsupported,
+             "{}: {:.0f} samples, more than {}; gdal_translate -tr makes them wider, -projwin "
+             "takes a part",
+             path_, count, request_.maxSamples);
     }
 
     // Pixels of the file, as numbers.
-    std::vector<float> samples(glm::uvec2 from, glm::uvec2 count) const
+    void samples(const GridPart& part, std::span<float> values) const
     {
-        std::vector<float> values(std::size_t(count.x) * count.y);
-        const int x = static_cast<int>(from.x), y = static_cast<int>(from.y),
-                  width = static_cast<int>(count.x), height = static_cast<int>(count.y);
+        const int x = static_cast<int>(part.from.x), y = static_cast<int>(part.from.y),
+                  width = static_cast<int>(part.count.x), height = static_cast<int>(part.count.y),
+                  thin = static_cast<int>(part.thin);
+        const auto columns = static_cast<std::size_t>((width + thin - 1) / thin);
         int hasScale = 0, hasOffset = 0;
         const double scale = GDALGetRasterScale(band_, &hasScale),
                      offset = GDALGetRasterOffset(band_, &hasOffset);
@@ -209,24 +295,26 @@ private:
                              ((hasScale != 0 && scale != 1.0) || (hasOffset != 0 && offset != 0.0));
         const bool isMasked = (GDALGetMaskFlags(band_) & GMF_ALL_VALID) == 0;
         const GDALRasterBandH mask = isMasked ? GDALGetMaskBand(band_) : nullptr;
+        const double metres = unit();
         // Row by row: double precision is needed for one row at a time.
-        std::vector<double> row(count.x);
-        std::vector<std::uint8_t> valid(count.x, 255);
-        for (int j = 0; j < height; ++j) {
+        std::vector<double> row(static_cast<std::size_t>(width));
+        std::vector<std::uint8_t> valid(row.size(), 255);
+        for (int j = 0; j < height; j += thin) {
             if (GDALRasterIO(band_, GF_Read, x, y + j, width, 1, row.data(), width, 1, GDT_Float64,
                              0, 0) != CE_None ||
                 (isMasked && GDALRasterIO(mask, GF_Read, x, y + j, width, 1, valid.data(), width, 1,
                                           GDT_Byte, 0, 0) != CE_None))
                 fail(ErrorKind::input,
                      "{}: row {} cannot be read: the file is damaged or truncated", path_, y + j);
-            float* const out = values.data() + std::size_t(j) * count.x;
-            for (std::size_t i = 0; i < count.x; ++i) {
-                const double value = changes ? row[i] * scale + offset : row[i];
-                out[i] = valid[i] != 0 && std::isfinite(value) ? static_cast<float>(value * unit())
-                                                               : none;
+            float* const out = values.data() + std::size_t(j / thin) * columns;
+            for (std::size_t i = 0; i < columns; ++i) {
+                const std::size_t from = i * std::size_t(thin);
+                const double value = changes ? row[from] * scale + offset : row[from];
+                out[i] = valid[from] != 0 && std::isfinite(value)
+                             ? static_cast<float>(value * metres)
+                             : none;
             }
         }
-        return values;
     }
 
     // [m] of one, for heights in feet.
@@ -242,87 +330,68 @@ private:
         return 1.0;
     }
 
-    MapGrid direct(const MapBounds& wanted) const
-    {
-        const glm::dvec2 a = placement_.pixel({wanted.low.x, wanted.high.y}),
-                         b = placement_.pixel({wanted.high.x, wanted.low.y});
-        const glm::dvec2 size(size_);
-        // A pixel more on each side, for interpolation.
-        const glm::dvec2 from =
-            glm::clamp(glm::floor(glm::min(a, b)) - 1.0, glm::dvec2(0.0), size - 1.0);
-        const glm::dvec2 end = glm::clamp(glm::ceil(glm::max(a, b)) + 1.0, from + 1.0, size);
-        requireFew((end.x - from.x) * (end.y - from.y));
-        MapGrid grid;
-        grid.size = glm::uvec2(end - from);
-        grid.first = placement_.place(from + 0.5);
-        grid.step = {placement_.a[1], -placement_.a[5]};
-        grid.values = samples(glm::uvec2(from), grid.size);
-        return grid;
-    }
+    // A part of the file, thinned.
+    struct Source {
+        std::vector<float> values;
+        glm::dvec2 from; // column and row of the file
+        glm::uvec2 size; // of the values
+        double thin;
+    };
 
-    MapGrid resampled(const MapBounds& wanted, const MapChange& toTarget,
-                      const MapChange& toOwn) const
+    void resample(const GridPart& part, std::size_t maxSamples, std::span<float> values) const
     {
-        // Steps as long as the file's pixels are wide in its middle, counted from a pixel there: a
-        // sample is the same whatever part is wanted.
-        const glm::dvec2 middle = glm::floor(0.5 * glm::dvec2(size_)) + 0.5;
-        const glm::dvec2 centre = toTarget.at(placement_.place(middle));
-        const glm::dvec2 right = toTarget.at(placement_.place(middle + glm::dvec2(1, 0))) - centre;
-        const glm::dvec2 below = toTarget.at(placement_.place(middle + glm::dvec2(0, 1))) - centre;
-        const double step = std::sqrt(std::abs(right.x * below.y - right.y * below.x));
-        if (!(step > 1e-6 && step < 1e7))
-            fail(ErrorKind::input, "{}: its pixels have no size in metres", path_);
-        const bool isPart = request_.within.has_value();
-        const glm::dvec2 west = (wanted.low - centre) / step, east = (wanted.high - centre) / step;
-        const glm::dvec2 low = isPart ? glm::floor(west) : glm::ceil(west - 1e-6);
-        const glm::dvec2 high = isPart ? glm::ceil(east) : glm::floor(east + 1e-6);
-        MapGrid grid;
-        const glm::dvec2 size = glm::max(high - low + 1.0, glm::dvec2(1.0));
-        requireFew(size.x * size.y);
-        grid.size = glm::uvec2(size);
-        grid.step = glm::dvec2(step);
-        grid.first = centre + glm::dvec2(low.x, high.y) * step;
-
+        const auto columns = static_cast<std::size_t>(std::ceil(part.count.x / part.thin));
+        const auto rows = static_cast<std::size_t>(std::ceil(part.count.y / part.thin));
+        const glm::dvec2 west = glm::dvec2(low_.x, high_.y) + glm::dvec2(part.from.x, -part.from.y);
         // The part of the file that covers the grid.
-        std::vector<glm::dvec2> edge = edgeOf(wanted.low, wanted.high);
-        toOwn.apply(edge);
+        const glm::dvec2 north = centre_ + west * grid_.step;
+        std::vector<glm::dvec2> edge =
+            edgeOf(north, north + glm::dvec2(part.count.x, -part.count.y) * grid_.step);
+        toOwn_->apply(edge);
         for (glm::dvec2& point : edge)
             if (std::isfinite(point.x) && std::isfinite(point.y))
                 point = placement_.pixel(point);
-        const MapBounds part = boundsOf(edge);
+        const MapBounds box = boundsOf(edge);
+        const glm::dvec2 size(size_);
         const glm::dvec2 from =
-            glm::clamp(glm::floor(part.low) - 2.0, glm::dvec2(0.0), glm::dvec2(size_) - 1.0);
-        const glm::dvec2 end =
-            glm::clamp(glm::ceil(part.high) + 2.0, from + 1.0, glm::dvec2(size_));
-        requireFew((end.x - from.x) * (end.y - from.y));
-        const glm::uvec2 partSize(end - from);
-        const std::vector<float> source = samples(glm::uvec2(from), partSize);
-        grid.values.reserve(std::size_t(grid.size.x) * grid.size.y);
-        std::vector<glm::dvec2> row(grid.size.x);
-        for (std::uint32_t j = 0; j < grid.size.y; ++j) {
-            for (std::uint32_t i = 0; i < grid.size.x; ++i)
-                row[i] = grid.first + glm::dvec2(i, -double(j)) * step;
-            toOwn.apply(row);
-            for (const glm::dvec2 place : row)
-                grid.values.push_back(
-                    valueAt(source, partSize, placement_.pixel(place) - from - 0.5));
+            glm::clamp(glm::floor(box.low) - 2.0 * part.thin, glm::dvec2(0.0), size - 1.0);
+        const glm::dvec2 count =
+            glm::clamp(glm::ceil(box.high) + 2.0 * part.thin, from + 1.0, size) - from;
+        if (part.thin == 1.0 && !(count.x * count.y <= 4.0 * double(maxSamples) + 1e4))
+            fail(ErrorKind::unsupported,
+                 "{}: a window of {:.0f} samples needs {:.0f} of the file, which is turned or in "
+                 "another system; gdalwarp lays it along the ground's east and north",
+                 path_, part.count.x * part.count.y, count.x * count.y);
+        Source source{{}, from, glm::uvec2(glm::ceil(count / part.thin)), part.thin};
+        source.values.resize(std::size_t(source.size.x) * source.size.y);
+        samples({from, count, part.thin}, source.values);
+        std::vector<glm::dvec2> row(columns);
+        for (std::size_t j = 0; j < rows; ++j) {
+            for (std::size_t i = 0; i < columns; ++i)
+                row[i] = centre_ + (west + part.thin * glm::dvec2(i, -double(j))) * grid_.step;
+            toOwn_->apply(row);
+            for (std::size_t i = 0; i < columns; ++i)
+                values[j * columns + i] = valueAt(source, placement_.pixel(row[i]) - 0.5);
         }
-        return grid;
     }
 
-    // At a place between samples; none if one that counts is missing.
-    float valueAt(const std::vector<float>& source, glm::uvec2 size, glm::dvec2 at) const
+    // At a place between samples of the file; none if one that counts is missing.
+    float valueAt(const Source& source, glm::dvec2 place) const
     {
-        if (!(at.x > -0.5 - 1e-9 && at.y > -0.5 - 1e-9 && at.x < double(size.x) - 0.5 + 1e-9 &&
-              at.y < double(size.y) - 0.5 + 1e-9))
+        if (!(place.x > -0.5 - 1e-9 && place.y > -0.5 - 1e-9 &&
+              place.x < double(size_.x) - 0.5 + 1e-9 && place.y < double(size_.y) - 0.5 + 1e-9))
             return none;
-        const auto sample = [&](double column, double row) {
-            const auto i = static_cast<std::size_t>(std::clamp(column, 0.0, double(size.x) - 1.0));
-            const auto j = static_cast<std::size_t>(std::clamp(row, 0.0, double(size.y) - 1.0));
-            return source[j * size.x + i];
+        // Whole steps are taken off after the shares are known: these are the same in all windows.
+        const auto sample = [&](glm::dvec2 index) {
+            const glm::dvec2 own =
+                glm::clamp(index - (source.thin == 1.0 ? source.from : glm::dvec2(0.0)),
+                           glm::dvec2(0.0), glm::dvec2(source.size) - 1.0);
+            return source.values[static_cast<std::size_t>(own.y) * source.size.x +
+                                 static_cast<std::size_t>(own.x)];
         };
+        const glm::dvec2 at = source.thin == 1.0 ? place : (place - source.from) / source.thin;
         if (request_.isCategory)
-            return sample(std::round(at.x), std::round(at.y));
+            return sample(glm::round(at));
         const glm::dvec2 low = glm::floor(at), share = at - low;
         double sum = 0.0;
         for (const int j : {0, 1})
@@ -330,21 +399,29 @@ private:
                 const double weight =
                     (i == 0 ? 1.0 - share.x : share.x) * (j == 0 ? 1.0 - share.y : share.y);
                 if (weight > 1e-9)
-                    sum += weight * double(sample(low.x + i, low.y + j));
+                    sum += weight * double(sample(low + glm::dvec2(i, j)));
             }
         return static_cast<float>(sum);
     }
 
-    const std::string& path_;
-    const MapRequest& request_;
-    const std::string& option_;
-    Diagnostics& diagnostics_;
+    std::string path_;
+    MapRequest request_;
+    std::string option_;
     MapFile file_;
     GDALRasterBandH band_ = nullptr;
     glm::uvec2 size_{0U};
     Placement placement_;
     bool hasPlace_ = false;
     MapSystem own_;
+    MapGrid grid_;          // of the whole file
+    MapBounds covered_;     // of the file, in the grid's system
+    bool isDirect_ = false; // the grid's samples are the file's
+    std::optional<MapChange> toTarget_;
+    std::optional<MapChange> toOwn_;
+    // Of a grid that is resampled: its middle, and its least and greatest whole steps from there.
+    glm::dvec2 centre_{0.0};
+    glm::dvec2 low_{0.0};
+    glm::dvec2 high_{0.0};
 };
 
 } // namespace
@@ -352,7 +429,13 @@ private:
 MapGrid readMapByGdal(const std::string& path, const MapRequest& request, const std::string& option,
                       Diagnostics& diagnostics)
 {
-    return Raster(path, request, option, diagnostics).read();
+    return Raster(path, request, option, diagnostics).wanted();
+}
+
+std::unique_ptr<MapRaster> openMapByGdal(const std::string& path, const MapRequest& request,
+                                         const std::string& option, Diagnostics& diagnostics)
+{
+    return std::make_unique<Raster>(path, request, option, diagnostics);
 }
 
 } // namespace sward::terrain

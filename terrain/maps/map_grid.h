@@ -5,7 +5,9 @@
 #include <glm/vec2.hpp>
 
 #include <cstddef>
+#include <memory>
 #include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -26,15 +28,24 @@ struct MapGrid {
     std::string system;        ///< coordinate system as WKT; empty if the file names none
     glm::uvec2 size{0U};       ///< columns to the east, rows to the south
     std::vector<float> values; ///< row by row from the north-west; NaN: no data
-    glm::dvec2 first{0.0};     ///< [m] east and north of the first sample
+    glm::dvec2 first{0.0};     ///< [m] east and north of the raster's first sample
     glm::dvec2 step{0.0};      ///< [m] from sample to sample, > 0; 0: the file has no place
+    glm::dvec2 from{0.0};      ///< whole column and row of the raster at which the values begin
 
-    /// Index of the column and row nearest to a place, which may lie outside.
+    /// Column and row among the values of a place, which may lie outside. The same place lies
+    /// between the same samples, by the same shares, whatever part of a raster is here.
     glm::dvec2 indexOf(glm::dvec2 eastNorth) const
     {
-        return {(eastNorth.x - first.x) / step.x, (first.y - eastNorth.y) / step.y};
+        return glm::dvec2((eastNorth.x - first.x) / step.x, (first.y - eastNorth.y) / step.y) -
+               from;
     }
 };
+
+/// What asks for the heights of a ground, as an option of readMap().
+inline constexpr const char* heightsOption = "heights";
+
+/// Heights of a tile of a large map that is baked within a gigabyte of memory.
+inline constexpr double samplesOfTile = 1.5e6;
 
 /// What is read of a raster.
 struct MapRequest {
@@ -44,7 +55,29 @@ struct MapRequest {
                                          ///< in metres, else a transverse Mercator at its middle
     std::optional<MapBounds> within{};   ///< only what covers this, in metres of `system`
     std::size_t maxSamples = 0;          ///< read and made; more are refused
+    bool mayThin = false; ///< instead, every n-th sample is taken, the least n that suffices
 };
+
+/// A band of a GeoTIFF that is read by windows.
+class MapRaster {
+public:
+    MapRaster() = default;
+    MapRaster(const MapRaster&) = delete;
+    MapRaster& operator=(const MapRaster&) = delete;
+    virtual ~MapRaster() = default;
+
+    /// The whole raster, without values.
+    virtual const MapGrid& grid() const = 0;
+
+    /// Reads `count` columns and rows from `from` on, row by row. A sample has the same value in
+    /// every window. Throws Error{input} if the file is damaged, or turned so far that a window
+    /// needs more than 100 million of its samples.
+    virtual void read(glm::uvec2 from, glm::uvec2 count, std::span<float> values) = 0;
+};
+
+/// Opens a band of a GeoTIFF; `request.within` and maxSamples do not count. Throws as readMap().
+std::unique_ptr<MapRaster> openMap(const std::string& path, const MapRequest& request,
+                                   const std::string& option, Diagnostics& diagnostics);
 
 /// Reads a band of a GeoTIFF. Values get the band's scale and offset. What lies in another system,
 /// is rotated or begins in the south is resampled, bilinearly but for categories, at steps of the

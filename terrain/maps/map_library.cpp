@@ -5,7 +5,8 @@ extern "C" __attribute__((visibility("default"))) const sward::terrain::MapReade
 sward_map_reader_2()
 {
     static const sward::terrain::MapReader reader{
-        &sward::terrain::readMapByGdal, &sward::terrain::readShapesByGdal,
-        &sward::terrain::mapSystemFactsByGdal, &sward::terrain::changedPlacesByGdal};
+        &sward::terrain::readMapByGdal, &sward::terrain::openMapByGdal,
+        &sward::terrain::readShapesByGdal, &sward::terrain::mapSystemFactsByGdal,
+        &sward::terrain::changedPlacesByGdal};
     return &reader;
 }

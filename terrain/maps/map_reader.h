@@ -6,11 +6,13 @@
 namespace sward::terrain {
 
 /// What the library sward_maps does, which alone links GDAL and some hundred libraries behind it:
-/// programs open it when a map is read or placed. Its functions are readMap(), readMapShapes(),
-/// mapSystemFacts(), and degreesOf() and mapPlacesOf() in one.
+/// programs open it when a map is read or placed. Its functions are readMap(), openMap(),
+/// readMapShapes(), mapSystemFacts(), and degreesOf() and mapPlacesOf() in one.
 struct MapReader {
     MapGrid (*readMap)(const std::string& path, const MapRequest& request,
                        const std::string& option, Diagnostics& diagnostics);
+    std::unique_ptr<MapRaster> (*openMap)(const std::string& path, const MapRequest& request,
+                                          const std::string& option, Diagnostics& diagnostics);
     std::shared_ptr<const MapShapes> (*readShapes)(const std::string& path, double margin,
                                                    const std::string& system,
                                                    Diagnostics& diagnostics);
@@ -20,9 +22,11 @@ struct MapReader {
                                              const std::string& option);
 };
 
-/// By GDAL, inside that library; as readMap() and readMapShapes().
+/// By GDAL, inside that library; as readMap(), openMap() and readMapShapes().
 MapGrid readMapByGdal(const std::string& path, const MapRequest& request, const std::string& option,
                       Diagnostics& diagnostics);
+std::unique_ptr<MapRaster> openMapByGdal(const std::string& path, const MapRequest& request,
+                                         const std::string& option, Diagnostics& diagnostics);
 std::shared_ptr<const MapShapes> readShapesByGdal(const std::string& path, double margin,
                                                   const std::string& system,
                                                   Diagnostics& diagnostics);

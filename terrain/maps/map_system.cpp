@@ -20,6 +20,9 @@ void prepareMaps()
         OSRSetPROJEnableNetwork(0);
         // Nothing is written beside a file.
         CPLSetConfigOption("GDAL_PAM_ENABLED", "NO");
+        // Blocks of a file that stay in memory, unless somebody says otherwise.
+        if (CPLGetConfigOption("GDAL_CACHEMAX", nullptr) == nullptr)
+            GDALSetCacheMax64(GIntBig(192) << 20);
         GDALAllRegister();
     });
 }

@@ -1,6 +1,7 @@
 #include "terrain/query/surface_query.h"
 
 #include "core/error.h"
+#include "terrain/query/height_rays.h"
 #include "terrain/topology/triangle_geometry.h"
 
 #if SWARD_EMBREE == 3
@@ -12,10 +13,13 @@
 #include <glm/geometric.hpp>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstring>
 #include <limits>
+#include <mutex>
 #include <string>
+#include <vector>
 
 namespace sward::terrain {
 namespace {
@@ -112,6 +116,9 @@ struct SurfaceQuery::Scene {
     const glm::vec3* positions = nullptr;
     const glm::uvec3* triangles = nullptr;
     double extent = 0.0; // largest coordinate [m]
+    // Of a grid of heights: answers all but nearest(). Embree's part is then built on demand.
+    std::unique_ptr<const HeightRays> heights;
+    std::once_flag building;
 
     Scene() = default;
     Scene(const Scene&) = delete;
@@ -133,6 +140,19 @@ struct SurfaceQuery::Scene {
 
     // Bound of the distance error from rounding the ray's start to single precision.
     double shift(double limit) const { return (extent + limit) * 4e-7 + 1e-30; }
+
+    // Makes Embree's part.
+    void build(std::span<const glm::vec3> ownPositions, std::span<const glm::uvec3> ownTriangles);
+    void buildOfHeights();
+
+    // Answer of a grid of heights.
+    Hit onHeights(const glm::dvec3& point, const glm::dvec3& direction, double limit, double skin,
+                  const IgnoredTriangles& ignored, bool endsAtFirst) const
+    {
+        const HeightRays::Met met = heights->meet(
+            {point, direction, skin, limit, ignored.one, ignored.marked, endsAtFirst});
+        return {.triangle = met.triangle, .distance = met.distance};
+    }
 
     Hit firstBehind(const glm::dvec3& point, const glm::dvec3& direction, double limit, double skin,
                     const IgnoredTriangles& ignored) const;
@@ -206,48 +226,71 @@ double largestCoordinate(std::span<const glm::vec3> positions)
 } // namespace
 
 SurfaceQuery::SurfaceQuery(const GroundMesh& mesh)
-    : SurfaceQuery(mesh.positions, mesh.triangles)
-{
-}
-
-SurfaceQuery::SurfaceQuery(std::span<const glm::vec3> ownPositions,
-                           std::span<const glm::uvec3> ownTriangles)
     : scene_(std::make_unique<Scene>())
 {
-    scene_->device = rtcNewDevice(deviceSettings);
-    failIf(scene_->device == nullptr, ownTriangles.size(), rtcGetDeviceError(nullptr));
+    scene_->heights = HeightRays::of(mesh);
+    if (scene_->heights == nullptr)
+        scene_->build(mesh.positions, mesh.triangles);
+}
+
+SurfaceQuery::SurfaceQuery(std::span<const glm::vec3> positions,
+                           std::span<const glm::uvec3> triangles)
+    : scene_(std::make_unique<Scene>())
+{
+    scene_->build(positions, triangles);
+}
+
+void SurfaceQuery::Scene::buildOfHeights()
+{
+    std::call_once(building, [&] {
+        std::vector<glm::vec3> corners;
+        std::vector<glm::uvec3> numbers;
+        for (const std::array<glm::vec3, 3>& one : heights->triangles()) {
+            const auto first = static_cast<std::uint32_t>(corners.size());
+            corners.insert(corners.end(), one.begin(), one.end());
+            numbers.emplace_back(first, first + 1, first + 2);
+        }
+        build(corners, numbers);
+    });
+}
+
+void SurfaceQuery::Scene::build(std::span<const glm::vec3> ownPositions,
+                                std::span<const glm::uvec3> ownTriangles)
+{
+    device = rtcNewDevice(deviceSettings);
+    failIf(device == nullptr, ownTriangles.size(), rtcGetDeviceError(nullptr));
     RTCError trouble = RTC_ERROR_NONE;
-    rtcSetDeviceErrorFunction(scene_->device, keepCode, &trouble);
+    rtcSetDeviceErrorFunction(device, keepCode, &trouble);
 
     // Copy the mesh into Embree's buffers, which add padding.
-    const RTCGeometry geometry = rtcNewGeometry(scene_->device, RTC_GEOMETRY_TYPE_TRIANGLE);
-    void* const positions =
+    const RTCGeometry geometry = rtcNewGeometry(device, RTC_GEOMETRY_TYPE_TRIANGLE);
+    void* const vertexBuffer =
         rtcSetNewGeometryBuffer(geometry, RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT3,
                                 sizeof(glm::vec3), ownPositions.size());
-    void* const triangles =
+    void* const indexBuffer =
         rtcSetNewGeometryBuffer(geometry, RTC_BUFFER_TYPE_INDEX, 0, RTC_FORMAT_UINT3,
                                 sizeof(glm::uvec3), ownTriangles.size());
-    if (positions == nullptr || triangles == nullptr) {
+    if (vertexBuffer == nullptr || indexBuffer == nullptr) {
         rtcReleaseGeometry(geometry);
         failIf(true, ownTriangles.size(), trouble);
     }
-    std::memcpy(positions, ownPositions.data(), ownPositions.size_bytes());
-    std::memcpy(triangles, ownTriangles.data(), ownTriangles.size_bytes());
-    scene_->positions = static_cast<const glm::vec3*>(positions);
-    scene_->triangles = static_cast<const glm::uvec3*>(triangles);
-    scene_->extent = largestCoordinate(ownPositions);
+    std::memcpy(vertexBuffer, ownPositions.data(), ownPositions.size_bytes());
+    std::memcpy(indexBuffer, ownTriangles.data(), ownTriangles.size_bytes());
+    positions = static_cast<const glm::vec3*>(vertexBuffer);
+    triangles = static_cast<const glm::uvec3*>(indexBuffer);
+    extent = largestCoordinate(ownPositions);
     rtcSetGeometryOccludedFilterFunction(geometry, Scene::Question::filter);
     rtcCommitGeometry(geometry);
 
     // Robust mode: no ray passes between two adjacent triangles.
-    scene_->scene = rtcNewScene(scene_->device);
-    rtcSetSceneFlags(scene_->scene, RTC_SCENE_FLAG_ROBUST);
-    rtcSetSceneBuildQuality(scene_->scene, RTC_BUILD_QUALITY_MEDIUM);
-    rtcAttachGeometry(scene_->scene, geometry);
+    scene = rtcNewScene(device);
+    rtcSetSceneFlags(scene, RTC_SCENE_FLAG_ROBUST);
+    rtcSetSceneBuildQuality(scene, RTC_BUILD_QUALITY_MEDIUM);
+    rtcAttachGeometry(scene, geometry);
     rtcReleaseGeometry(geometry);
-    rtcCommitScene(scene_->scene);
+    rtcCommitScene(scene);
     failIf(false, ownTriangles.size(), trouble);
-    rtcSetDeviceErrorFunction(scene_->device, nullptr, nullptr);
+    rtcSetDeviceErrorFunction(device, nullptr, nullptr);
 }
 
 SurfaceQuery::SurfaceQuery(SurfaceQuery&&) noexcept = default;
@@ -299,7 +342,9 @@ SurfaceQuery::Hit SurfaceQuery::Scene::firstBehind(const glm::dvec3& point,
 SurfaceQuery::Hit SurfaceQuery::cast(glm::dvec3 point, glm::dvec3 direction, double limit,
                                      double skin, const IgnoredTriangles& ignored) const
 {
-    return scene_->firstBehind(point, direction, limit, skin, ignored);
+    return scene_->heights != nullptr
+               ? scene_->onHeights(point, direction, limit, skin, ignored, false)
+               : scene_->firstBehind(point, direction, limit, skin, ignored);
 }
 
 SurfaceQuery::Hit SurfaceQuery::Scene::through(const glm::dvec3& point, const glm::dvec3& direction,
@@ -324,13 +369,18 @@ SurfaceQuery::Hit SurfaceQuery::Scene::through(const glm::dvec3& point, const gl
 SurfaceQuery::Hit SurfaceQuery::castThrough(glm::dvec3 point, glm::dvec3 direction, double limit,
                                             double skin, const IgnoredTriangles& ignored) const
 {
-    return scene_->through(point, direction, limit, skin, ignored, false);
+    return scene_->heights != nullptr
+               ? scene_->onHeights(point, direction, limit, skin, ignored, false)
+               : scene_->through(point, direction, limit, skin, ignored, false);
 }
 
 bool SurfaceQuery::occluded(glm::dvec3 point, glm::dvec3 direction, double limit, double skin,
                             const IgnoredTriangles& ignored) const
 {
-    return scene_->through(point, direction, limit, skin, ignored, true).isHit();
+    return (scene_->heights != nullptr
+                ? scene_->onHeights(point, direction, limit, skin, ignored, true)
+                : scene_->through(point, direction, limit, skin, ignored, true))
+        .isHit();
 }
 
 double SurfaceQuery::clearance(glm::dvec3 point, glm::dvec3 up, double limit,
@@ -370,6 +420,8 @@ SurfaceQuery::Nearest SurfaceQuery::nearest(glm::dvec3 point, double limit) cons
             return true;
         }
     };
+    if (scene_->heights != nullptr)
+        scene_->buildOfHeights();
     const double reach =
         std::max({std::fabs(point.x), std::fabs(point.y), std::fabs(point.z), scene_->extent});
     Search search{.scene = scene_.get(),

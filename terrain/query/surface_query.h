@@ -20,7 +20,9 @@ struct IgnoredTriangles {
 
 /// Ray and distance queries on the ground. Embree answers them, restricted to one instruction set
 /// and in robust mode. Distances are recomputed in double precision from the hit triangle, so that
-/// every CPU gives the same result. Thread-safe once built.
+/// every CPU gives the same result. On ground that is a grid of heights (GroundMesh::heightCells)
+/// HeightRays answer instead; Embree is then built when nearest() is asked first. Thread-safe once
+/// built.
 class SurfaceQuery {
 public:
     static constexpr std::uint32_t none = 0xffffffffU;

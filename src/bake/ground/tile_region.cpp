@@ -9,6 +9,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <memory>
 #include <unordered_map>
 
 namespace sward::bake {
@@ -76,6 +77,51 @@ std::vector<std::uint32_t> verticesOf(const terrain::GroundMesh& ground,
     return vertices;
 }
 
+// The cells of a part of a grid of heights; null if it is none, or its triangles are out of order.
+std::shared_ptr<const terrain::HeightCells> cellsOfPart(const terrain::GroundMesh& ground,
+                                                        const std::vector<std::uint32_t>& triangles)
+{
+    using terrain::HeightCells;
+    if (ground.heightCells == nullptr || triangles.empty())
+        return nullptr;
+    const HeightCells& whole = *ground.heightCells;
+    // Column and row of a triangle, by the middle of its corners.
+    const auto cellOfTriangle = [&](std::uint32_t t) {
+        const glm::uvec3 corners = ground.triangles[t];
+        const glm::dvec3 middle =
+            (glm::dvec3(ground.positions[corners.x]) + glm::dvec3(ground.positions[corners.y]) +
+             glm::dvec3(ground.positions[corners.z])) /
+            3.0;
+        const glm::dvec2 at = (glm::dvec2(middle.x, middle.z) - whole.first) / whole.step;
+        return glm::uvec2(glm::clamp(at, glm::dvec2(0.0), glm::dvec2(whole.count - 1U)));
+    };
+    glm::uvec2 low(whole.count), high(0U);
+    for (const std::uint32_t t : triangles) {
+        const glm::uvec2 cell = cellOfTriangle(t);
+        low = glm::min(low, cell);
+        high = glm::max(high, cell);
+    }
+    auto part = std::make_shared<HeightCells>();
+    part->first = whole.first + glm::dvec2(low) * whole.step;
+    part->step = whole.step;
+    part->count = high - low + 1U;
+    part->triangles.assign(std::size_t(part->count.x) * part->count.y, 0);
+    for (std::uint32_t i = 0; i < triangles.size(); ++i) {
+        const std::uint32_t t = triangles[i];
+        const glm::uvec2 cell = cellOfTriangle(t);
+        const std::uint32_t own = whole.triangles[std::size_t(cell.y) * whole.count.x + cell.x];
+        const bool isUpper = (own & HeightCells::upper) != 0 && t == own / 4;
+        std::uint32_t& entry =
+            part->triangles[std::size_t(cell.y - low.y) * part->count.x + (cell.x - low.x)];
+        if (entry == 0)
+            entry = 4 * i;
+        else if (isUpper || i != entry / 4 + 1)
+            return nullptr;
+        entry |= isUpper ? HeightCells::upper : HeightCells::lower;
+    }
+    return part;
+}
+
 } // namespace
 
 std::uint64_t packCell(const CellNumber& cell)
@@ -98,8 +144,16 @@ CellNumber cellOf(const glm::dvec3& origin, const glm::vec3& position)
 TileRegion::TileRegion(const glm::dvec3& origin, const std::vector<CellNumber>& cells)
     : origin_(origin)
 {
-    for (const CellNumber& cell : cells)
+    first_.fill(std::numeric_limits<std::int64_t>::max());
+    last_.fill(std::numeric_limits<std::int64_t>::lowest());
+    for (const CellNumber& cell : cells) {
         cells_.insert(packCell(cell));
+        for (std::size_t axis = 0; axis < 3; ++axis) {
+            first_[axis] = std::min(first_[axis], cell[axis]);
+            last_[axis] = std::max(last_[axis], cell[axis]);
+        }
+    }
+    isBox_ = !cells.empty() && sizeOf({first_, last_}) == double(cells_.size());
 }
 
 bool TileRegion::isNear(const glm::vec3& position, double margin) const
@@ -110,8 +164,14 @@ bool TileRegion::isNear(const glm::vec3& position, double margin) const
 bool TileRegion::isNear(const Aabb& box, double margin) const
 {
     const auto reach = static_cast<float>(margin);
-    const Range range{cellOf(origin_, box.low - reach), cellOf(origin_, box.high + reach)};
-    if (sizeOf(range) > boxCells)
+    Range range{cellOf(origin_, box.low - reach), cellOf(origin_, box.high + reach)};
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+        range.first[axis] = std::max(range.first[axis], first_[axis]);
+        range.last[axis] = std::min(range.last[axis], last_[axis]);
+        if (range.first[axis] > range.last[axis])
+            return false;
+    }
+    if (isBox_ || sizeOf(range) > boxCells)
         return true;
     bool near = false;
     forEachCell(range, [&](const CellNumber& cell) { near = near || holds(cell); });
@@ -242,6 +302,7 @@ void refillPart(const terrain::GroundMesh& ground, const std::vector<std::uint32
         for (std::size_t i = 0; i < ground.attributes.list.size(); ++i)
             part.attributes.list[i].values.push_back(ground.attributes.list[i].values[v]);
     }
+    part.heightCells = cellsOfPart(ground, triangles);
     for (const std::uint32_t t : triangles) {
         const glm::uvec3 corners = ground.triangles[t];
         part.triangles.emplace_back(vertexOf[corners.x], vertexOf[corners.y], vertexOf[corners.z]);

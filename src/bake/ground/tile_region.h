@@ -29,7 +29,13 @@ class TileRegion {
 public:
     TileRegion(const glm::dvec3& origin, const std::vector<CellNumber>& cells);
 
-    bool holds(const CellNumber& cell) const { return cells_.count(packCell(cell)) != 0; }
+    bool holds(const CellNumber& cell) const
+    {
+        for (std::size_t axis = 0; axis < 3; ++axis)
+            if (cell[axis] < first_[axis] || cell[axis] > last_[axis])
+                return false;
+        return isBox_ || cells_.count(packCell(cell)) != 0;
+    }
     bool holds(const glm::vec3& position) const { return holds(cellOf(origin_, position)); }
     bool holds(const RootSample& root) const { return holds(root.position); }
 
@@ -43,6 +49,9 @@ public:
 private:
     glm::dvec3 origin_;
     std::unordered_set<std::uint64_t> cells_;
+    CellNumber first_; // the least number on each axis
+    CellNumber last_;
+    bool isBox_ = false; // all cells from the first to the last
 };
 
 /// Distributes the cells that bearing triangles touch over `count` tiles of about equal area. Cells
