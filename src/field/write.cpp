@@ -49,6 +49,7 @@ struct Chunk {
     format::ChunkEntry entry = {};
     UninitializedVector<std::byte> owned;
     std::span<const std::byte> stored;
+    const SeedPieces* pieces = nullptr; // instead of stored bytes
 };
 
 std::uint64_t aligned(std::uint64_t offset)
@@ -75,7 +76,7 @@ std::span<const std::byte> bytesOf(const T& value)
 // All chunks of a field. Texts and images are encoded here; arrays are referenced.
 class Encoded {
 public:
-    Encoded(const Field& field, const BladePieces& pieces)
+    Encoded(const Field& field, const BladePieces& pieces, const SeedPieces* seeds = nullptr)
         : pieces_(pieces)
         , species_(speciesText(field.species))
         , cover_(coverText(field.thinned))
@@ -100,6 +101,11 @@ public:
             add(format::seeds, std::span(std::as_const(seeds_)), 0);
             add(format::seedCells, field.seeds->view.cells, 0);
             add(format::seedData, field.seeds->view.data, 0);
+            if (seeds != nullptr) {
+                format::ChunkEntry& entry = chunks_.back().entry;
+                entry.elementCount = entry.rawBytes = field.seeds->view.bytes();
+                chunks_.back().pieces = seeds;
+            }
         }
         add(format::provenance, std::span(field.provenance), 0);
         header_.magic = format::magic;
@@ -146,8 +152,11 @@ public:
             chunks_[i].entry.offset = aligned(at);
             at = chunks_[i].entry.offset + chunks_[i].entry.storedBytes;
         }
-        for (const Chunk& chunk : chunks_)
-            put(chunk.entry.offset, chunk.stored);
+        for (Chunk& chunk : chunks_)
+            if (chunk.pieces != nullptr)
+                putSeeds(put, chunk);
+            else
+                put(chunk.entry.offset, chunk.stored);
         static constexpr std::byte zeros[format::alignment] = {};
         put(at, std::span(zeros).first(aligned(at) - at));
         putTable(put, aligned(at));
@@ -186,6 +195,10 @@ private:
     // Compresses a chunk that is flagged so, and hashes it.
     static void finish(Chunk& chunk)
     {
+        if (chunk.pieces != nullptr) {
+            chunk.entry.storedBytes = chunk.entry.rawBytes;
+            return;
+        }
         if ((chunk.entry.flags & format::compressed) != 0) {
             chunk.owned = compress(chunk.stored, chunk.entry.elementBytes);
             chunk.stored = chunk.owned;
@@ -224,6 +237,20 @@ private:
                                 [&](std::span<const std::byte> bytes) { compressor.add(bytes); });
         compressor.finish();
         entry.hash = hash.digest();
+    }
+
+    static void putSeeds(const Put& put, Chunk& chunk)
+    {
+        Hash hash;
+        std::uint64_t at = 0;
+        chunk.pieces->eachSeedByte([&](std::span<const std::byte> bytes) {
+            expect(bytes.size() <= chunk.entry.storedBytes - at, "as many seeds as counted");
+            put(chunk.entry.offset + at, bytes);
+            hash.add(bytes);
+            at += bytes.size();
+        });
+        expect(at == chunk.entry.storedBytes, "as many seeds as counted");
+        chunk.entry.hash = hash.digest();
     }
 
     // Header and table, which hold the hashes of all others.
@@ -355,12 +382,12 @@ std::uint64_t fieldBytes(const Field& field)
 }
 
 std::uint64_t writeField(const Field& field, const BladePieces& pieces,
-                         const std::filesystem::path& path, bool overwrite)
+                         const std::filesystem::path& path, bool overwrite, const SeedPieces* seeds)
 {
     verifyWithoutBlades(viewOf(field), pieces.count(), path.string());
     BladeVerifier verifier(viewOf(field), path.string());
     AtomicFile file(path, overwrite);
-    Encoded encoded(field, pieces);
+    Encoded encoded(field, pieces, seeds);
     encoded.parse(path.string());
     encoded.put(
         [&](std::uint64_t at, std::span<const std::byte> bytes) { file.writeAt(at, bytes); },

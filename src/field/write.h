@@ -16,8 +16,10 @@ std::uint64_t writeField(const Field& field, const std::filesystem::path& path, 
 
 /// The same for a field whose blades and keys come in pieces; those of `field` are ignored. The
 /// file has the bytes that it has if they are in memory. Also throws what `pieces` throw.
+/// `seeds`: of the frames of its seeds, if they lie elsewhere; else null.
 std::uint64_t writeField(const Field& field, const BladePieces& pieces,
-                         const std::filesystem::path& path, bool overwrite);
+                         const std::filesystem::path& path, bool overwrite,
+                         const SeedPieces* seeds = nullptr);
 
 /// Bytes that writeField() would write.
 std::uint64_t fieldBytes(const Field& field);

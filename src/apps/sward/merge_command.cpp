@@ -145,12 +145,15 @@ public:
         field::Field field = fieldWithoutBlades(plan_);
         cells.layOut(field);
         if (plan.plan.seeds) {
-            field.seeds = std::make_shared<const field::SharedSeeds>(seeds.join(*plan.plan.seeds));
+            field.seeds =
+                std::make_shared<const field::SharedSeeds>(seeds.layOut(*plan.plan.seeds));
             report.seeds = bake::seedsReport(field.seeds->seeds, cells.count());
         }
         report.timing.patches = watch.lap();
-        report.output = {output_, field::writeField(field, cells, output_, force_),
-                         field.patches.size()};
+        report.output = {
+            output_,
+            field::writeField(field, cells, output_, force_, plan.plan.seeds ? &seeds : nullptr),
+            field.patches.size()};
         report.timing.write = watch.lap();
         report.timing.total = total.lap();
         report.timing.totalBusy = processorSeconds();

@@ -13,6 +13,7 @@
 #include "bake/tiles/tile_files.h"
 #include "core/error.h"
 #include "core/files/atomic_file.h"
+#include "terrain/heightmap/map_windows.h"
 
 #include <CLI/CLI.hpp>
 
@@ -81,7 +82,7 @@ public:
                  request.settings.strokes.file, plan_);
         Diagnostics diagnostics;
         loadExcluded(request, diagnostics);
-        const bake::TilePart ground = bake::readPart(parts, index_, plan.id);
+        const bake::TilePart ground = partOf(plan, request, parts, diagnostics);
         ProgressBar bar(log_.showBar());
         Progress progress(bar.callback());
         const CancelOnInterrupt cancel(progress);
@@ -107,6 +108,15 @@ public:
     }
 
 private:
+    bake::TilePart partOf(const bake::TilePlan& plan, const BakeRequest& request,
+                          const fs::path& parts, Diagnostics& diagnostics) const
+    {
+        if (!plan.hasWindows)
+            return bake::readPart(parts, index_, plan.id);
+        terrain::MapHeights map(request.inputs.front(), request.import, diagnostics);
+        return bake::readWindowPart(parts, index_, plan.id, map);
+    }
+
     // Whether the tile file is valid. False for a damaged one; throws for the file of another plan.
     static bool isDone(const fs::path& output, const std::string& id)
     {

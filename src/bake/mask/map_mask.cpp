@@ -1,6 +1,7 @@
 #include "bake/mask/map_mask.h"
 
 #include "core/diagnostics.h"
+#include "core/error.h"
 
 #include <glm/common.hpp>
 
@@ -13,6 +14,20 @@ namespace sward::bake {
 namespace {
 
 constexpr std::size_t maxMapSamples = 100'000'000; // 400 MB
+
+// Under an overview of a large map, whose tiles read the map anew.
+constexpr std::size_t overviewSamples = 4'000'000;
+
+constexpr double unlimited = std::numeric_limits<double>::infinity();
+
+// How many samples a rectangle reaches into a map, along the axis where it reaches least.
+double overlapOf(const terrain::MapGrid& map, const terrain::MapBounds& bounds)
+{
+    const glm::dvec2 a = map.indexOf({bounds.low.x, bounds.high.y}) + 0.5,
+                     b = map.indexOf({bounds.high.x, bounds.low.y}) + 0.5;
+    const glm::dvec2 overlap = glm::min(b, glm::dvec2(map.size)) - glm::max(a, glm::dvec2(0.0));
+    return std::min(overlap.x, overlap.y);
+}
 
 } // namespace
 
@@ -43,13 +58,28 @@ void MapMask::read(const terrain::GroundMesh& ground)
         glm::all(glm::lessThanEqual(bounds.high, read_.high)))
         return;
     Diagnostics diagnostics;
-    grid_ = terrain::readMap(file_,
-                             {.band = band_,
-                              .isCategory = !classes_.empty(),
-                              .system = ground.mapSystem,
-                              .within = bounds,
-                              .maxSamples = maxMapSamples},
-                             "--mask " + text_, diagnostics);
+    terrain::MapRequest request{.band = band_,
+                                .isCategory = !classes_.empty(),
+                                .system = ground.mapSystem,
+                                .within = {},
+                                .maxSamples = ground.overview > 1 ? overviewSamples : maxMapSamples,
+                                .mayThin = ground.overview > 1};
+    const std::string option = "--mask " + text_;
+    // The whole ground must meet the map; a part of it need not.
+    double overlap = unlimited;
+    if (!ground.sourceOf.empty()) {
+        grid_ = terrain::openMap(file_, request, option, diagnostics)->grid();
+        overlap = overlapOf(grid_, bounds);
+    }
+    request.within = bounds;
+    try {
+        if (overlap > -1.0)
+            grid_ = terrain::readMap(file_, request, option, diagnostics);
+    } catch (const Error&) {
+        // Within a sample of the edge of a map that is resampled, it may end before.
+        if (overlap > 1.0)
+            throw;
+    }
     read_ = bounds;
     system_ = ground.mapSystem;
     isRead_ = true;
@@ -59,7 +89,7 @@ double MapMask::at(glm::dvec3 place) const
 {
     const double none = std::numeric_limits<double>::quiet_NaN();
     const glm::dvec2 index = grid_.indexOf({place.x, -place.z});
-    const bool isInside = isRead_ && index.x >= -0.5 && index.y >= -0.5 &&
+    const bool isInside = isRead_ && !grid_.values.empty() && index.x >= -0.5 && index.y >= -0.5 &&
                           index.x <= double(grid_.size.x) - 0.5 &&
                           index.y <= double(grid_.size.y) - 0.5;
     const auto sample = [&](double column, double row) {

@@ -126,8 +126,8 @@ TileResult bakeInTiles(const GroundView& whole, const BakeSettings& settings, co
 Report::Seeds seedsReport(const field::Seeds& seeds, std::size_t storedBlades)
 {
     const double share = seeds.meadow.stored;
-    return {seeds.cells.size(), seeds.data.size(), share > 0.0 ? double(storedBlades) / share : 0.0,
-            share};
+    return {seeds.cells.size(), field::viewOf(seeds).bytes(),
+            share > 0.0 ? double(storedBlades) / share : 0.0, share};
 }
 
 BakeResult bakeSeededField(const terrain::GroundMesh& ground, const BakeSettings& settings,

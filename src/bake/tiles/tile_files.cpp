@@ -176,6 +176,7 @@ void writePlan(const fs::path& path, const TilePlan& plan, bool overwrite)
                    {"arguments", arguments},
                    {"folder", bytesToJson(plan.folder)},
                    {"paint", plan.paint},
+                   {"windows", plan.hasWindows},
                    {"ground", groundJson(plan.report)},
                    {"resolved",
                     {{"scale", plan.plan.plan.scale},
@@ -232,6 +233,7 @@ TilePlan readPlan(const fs::path& path)
             plan.arguments.push_back(bytesFromJson(argument, name + ": arguments"));
         plan.folder = bytesFromJson(object.at("folder"), name + ": folder");
         plan.paint = object.value("paint", "");
+        plan.hasWindows = object.value("windows", false);
         plan.report = groundReport(object.at("ground"), name);
         const json& resolved = object.at("resolved");
         const auto number = [&](const char* key, double low = 0.0, double high = 1e300) {

@@ -5,7 +5,9 @@
 #include "bake/tiles/bake_tile.h"
 #include "bake/tiles/stored_cells.h"
 #include "terrain/ground_mesh.h"
+#include "terrain/heightmap/map_windows.h"
 
+#include <array>
 #include <cstdint>
 #include <filesystem>
 #include <string>
@@ -14,9 +16,10 @@
 namespace sward::bake {
 
 // First bytes of the files beside a plan: eight letters each; the last two are the version.
-inline constexpr const char* partKind = "SWPART05";  ///< a tile's part of the ground
-inline constexpr const char* imageKind = "SWIMAG02"; ///< an image of the ground
-inline constexpr const char* tileKind = "SWTILE05";  ///< the blades and seeds of a tile
+inline constexpr const char* partKind = "SWPART06";   ///< a tile's part of the ground
+inline constexpr const char* windowKind = "SWWIND01"; ///< a tile's window of a map
+inline constexpr const char* imageKind = "SWIMAG02";  ///< an image of the ground
+inline constexpr const char* tileKind = "SWTILE05";   ///< the blades and seeds of a tile
 
 /// A bake distributed over machines: the result of `plan`, needed by every tile. Its file is JSON.
 /// The folder beside it holds the parts of the ground, one for each tile, the ground's images and a
@@ -27,6 +30,7 @@ struct TilePlan {
     std::string folder;                 ///< base folder of files in the arguments
     std::string paint;                  ///< hash of the strokes; empty without any
     std::uint32_t tiles = 0;
+    bool hasWindows = false; ///< its parts are windows of the map that the arguments name
     BakePlan plan;
     Report report; ///< of the whole ground, without root counts
 };
@@ -56,6 +60,24 @@ void writeImages(const std::filesystem::path& folder, const std::string& id,
 
 /// Reads a part with the images that its triangles use.
 TilePart readPart(const std::filesystem::path& folder, std::uint32_t tile, const std::string& id);
+
+/// A tile's part of a ground that is a map: what the tile reads of the file.
+struct TileWindow {
+    terrain::MapWindow window;
+    std::array<std::int64_t, 4> columns{}; ///< of 32 m cells: first x and z, last x and z
+};
+
+/// Divides the cells of a surveyed map into rectangles of about the same area, and finds the window
+/// of each: what lies within `margin` [m] of it. Tiles beyond the number of cells are empty.
+std::vector<TileWindow> dealWindows(const terrain::MapSurvey& survey, std::size_t count,
+                                    double margin);
+
+void writeWindow(const std::filesystem::path& path, const std::string& id,
+                 const TileWindow& window);
+
+/// Reads a window and its ground from the map. Throws as readPart() and terrain::readWindow().
+TilePart readWindowPart(const std::filesystem::path& folder, std::uint32_t tile,
+                        const std::string& id, terrain::MapHeights& map);
 
 /// Path of a tile's result in the folder of results.
 std::filesystem::path tilePath(const std::filesystem::path& folder, std::uint32_t tile);

@@ -29,4 +29,13 @@ public:
     virtual void eachKeyByte(std::size_t byte, const TakeBytes& take) const = 0;
 };
 
+/// The frames of a field's seeds that do not lie in memory, for writeField().
+class SeedPieces {
+public:
+    virtual ~SeedPieces() = default;
+
+    /// Hands over all bytes in the order of the cells: SeedsView::elsewhere of them.
+    virtual void eachSeedByte(const TakeBytes& take) const = 0;
+};
+
 } // namespace sward::field

@@ -131,7 +131,7 @@ void verifyPiece(const shared::SeedPiece& piece, const SeedCell& cell, std::size
 
 SeedsView viewOf(const Seeds& seeds)
 {
-    return {&seeds.meadow, seeds.cells, seeds.data};
+    return {&seeds.meadow, seeds.cells, seeds.data, seeds.elsewhere};
 }
 
 SeedEntry entryOf(const SeedCell& cell)
@@ -235,12 +235,12 @@ void verifySeeds(const SeedsView& seeds, std::size_t speciesCount, const std::st
         const SeedEntry& entry = seeds.cells[i];
         if (i > 0 && !(seeds.cells[i - 1].cell < entry.cell))
             fail(ErrorKind::input, "{}: cell {} of the seeds is out of order", place, i);
-        if (entry.offset != at || entry.bytes > seeds.data.size() - at)
+        if (entry.offset != at || entry.bytes > seeds.bytes() - at)
             fail(ErrorKind::input, "{}: cell {} of the seeds, {} bytes at {}, does not fit", place,
                  i, entry.bytes, entry.offset);
         at += entry.bytes;
     }
-    if (at != seeds.data.size())
+    if (at != seeds.bytes())
         fail(ErrorKind::input, "{}: bytes follow the last cell of the seeds", place);
 }
 

@@ -59,6 +59,9 @@ struct SeedsView {
     const SeedMeadow* meadow = nullptr; ///< never null
     std::span<const SeedEntry> cells;   ///< in rising order of their cells
     std::span<const std::byte> data;    ///< frames, in the same order
+    std::uint64_t elsewhere = 0;        ///< [bytes] of them, if they come in SeedPieces instead
+
+    std::uint64_t bytes() const { return data.empty() ? elsewhere : data.size(); }
 };
 
 /// The seeds of a field: what bears, instead of all that is borne.
@@ -66,6 +69,7 @@ struct Seeds {
     SeedMeadow meadow;                   ///< common to all cells
     std::vector<SeedEntry> cells;        ///< as SeedsView::cells
     UninitializedVector<std::byte> data; ///< as SeedsView::data
+    std::uint64_t elsewhere = 0;         ///< as SeedsView::elsewhere
 };
 
 SeedsView viewOf(const Seeds& seeds);

@@ -1,5 +1,6 @@
 """Maps as ground, masks and excluded areas: GeoTIFF, GeoJSON and GeoPackage, written by GDAL's own Python."""
 
+import json
 import math
 import shutil
 import subprocess
@@ -180,18 +181,85 @@ class Maps(CliTest):
             whole = len(rows) if whole is None else whole
         self.assertIn("margin", self.sward("bake", "a.tif", "--exclude", "p.gpkg", "-o", "x.sward", code=INPUT).stderr)
 
-    def test_tiles_are_the_whole(self):
-        d = 2e-5
-        self.tif("a.tif", HEIGHTS, place=(25.0, d, 0, 60.0, 0, -d), epsg=4326)
-        self.tif("cover.tif", np.where((X // 10 + Y // 10) % 2, 1, 0).astype("u1"), place=(25.0, d, 0, 60.0, 0, -d), epsg=4326,
-                 kind="Byte")
-        options = ("a.tif", "--density", "2", "--mask", "raster:cover.tif:1")
-        whole = digest(self.bake(*options))
-        self.sward("plan", *options, "--tiles", "3", "-o", "plan.json", "-q")
-        for index in range(3):
+    def tiles(self, tiles, *options):
+        """The field of a bake in tiles, and what the plan says."""
+        said = self.sward("plan", *options, "--tiles", tiles, "-o", "plan.json", "--force")
+        shutil.rmtree(self.folder / "parts", ignore_errors=True)
+        for index in range(tiles):
             self.sward("tile", "plan.json", "--index", index, "-o", "parts", "-q")
-        self.sward("merge", "plan.json", "parts", "-o", "t.sward", "-q")
-        self.assertEqual(digest(self.folder / "t.sward"), whole)
+        self.sward("merge", "plan.json", "parts", "-o", "t.sward", "--force", "-q")
+        return said
+
+    def test_tiles_read_their_windows_and_are_the_whole(self):
+        """Tiles read the file, not a copy of the ground, and have the bytes of one bake."""
+        d = 2e-5
+        degrees = {"place": (25.0, d, 0, 60.0, 0, -d), "epsg": 4326}
+        turned = (EAST, 0.8 * STEP, 0.6 * STEP, NORTH, 0.6 * STEP, -0.8 * STEP)
+        holed = HEIGHTS.copy()
+        holed[40:60, 30:70] = holed[::9, ::7] = holed[:, :20] = -9999
+        self.tif("deg.tif", HEIGHTS, **degrees)
+        self.tif("turned.tif", HEIGHTS, place=turned)
+        self.tif("holed.tif", holed, no_data=-9999, options=("TILED=YES", "COMPRESS=DEFLATE", "BLOCKXSIZE=32", "BLOCKYSIZE=16"))
+        self.tif("whole.tif", np.round((HEIGHTS - 300) * 100).astype("i2"), kind="Int16", scale=0.01, offset=300.0, options=("BIGTIFF=YES",))
+        self.tif("cover.tif", np.where((X // 10 + Y // 10) % 2, 1, 0).astype("u1"), **degrees, kind="Byte")
+        # A mask under a part of the ground: most tiles do not meet it.
+        corner = self.tif("corner.tif", np.full((30, 25), 7, "u1"), place=(EAST + 5, STEP, 0, NORTH - 9, 0, -STEP), kind="Byte")
+        canopy = self.tif("canopy.tif", np.tile(np.linspace(0, 60, SIDE, dtype="f4"), (SIDE, 1)), place=(EAST - 3, 2.3, 0, NORTH + 5, 0, -2.3))
+        for options in (("deg.tif", "--density", "2", "--mask", "raster:cover.tif:1"), ("turned.tif", "--density", "1"),
+                        ("holed.tif", "--density", "2", "--mask", f"raster:{corner}:7"),
+                        ("holed.tif", "--spacing", "0.9", "--mask", f"raster:{canopy}:0..60"), ("holed.tif", "--density", "3", "--height", "0:2"),
+                        ("whole.tif", "--density", "40", "--seeds", "always", "--budget", "20000")):
+            with self.subTest(options):
+                whole = digest(self.bake(*options, "--force"))
+                self.tiles(3, *options)
+                self.assertEqual(digest(self.folder / "t.sward"), whole)
+                self.assertLess(sum(one.stat().st_size for one in self.folder.glob("plan.parts/part-*")), 30000)
+
+    def test_a_map_beyond_one_ground_is_baked_by_windows(self):
+        """A ground of 20 million samples, most of them missing, has the blades of the rest alone."""
+        wide, high, at = 5000, 4000, (3333, 2100)
+        place = (EAST, STEP, 0, NORTH, 0, -STEP)
+        large = gdal.GetDriverByName("GTiff").Create(str(self.folder / "large.tif"), wide, high, 1, gdal.GDT_Float32,
+                                                     options=["SPARSE_OK=YES", "TILED=YES", "COMPRESS=DEFLATE"])
+        large.SetGeoTransform(place)
+        system = osr.SpatialReference()
+        system.ImportFromEPSG(UTM)
+        large.SetProjection(system.ExportToWkt())
+        large.GetRasterBand(1).SetNoDataValue(0)
+        large.GetRasterBand(1).WriteArray(HEIGHTS, *at)
+        large = None
+        self.tif("part.tif", HEIGHTS, place=(EAST + at[0] * STEP, STEP, 0, NORTH - at[1] * STEP, 0, -STEP))
+        said = self.sward("bake", "large.tif", "-o", "x.sward", code=UNSUPPORTED).stderr
+        for word in ("20000000 samples", "sward plan --tiles", "window by window", "gdal_translate"):
+            self.assertIn(word, said)
+        # A mask as large as the ground is read by windows, too.
+        shutil.copy(self.folder / "large.tif", self.folder / "mask.tif")
+        options = ("--density", "4", "--mask", "raster:mask.tif:300..320")
+        said = self.tiles(4, "large.tif", *options).stderr
+        self.assertIn("shows one sample of 3", said)
+        self.sward("export", "t.sward", "-o", "t.csv", "--force", "-q")
+        self.bake("part.tif", *options, "--force")
+        self.sward("export", "field.sward", "-o", "w.csv", "--force", "-q")
+        one, many = (sorted((self.folder / name).read_text().splitlines()[1:]) for name in ("w.csv", "t.csv"))
+        self.assertGreater(len(one), 10000)
+        self.assertEqual(len(one), len(many))
+        for a, b in zip(one, many):
+            a, b = a.split(","), b.split(",")
+            self.assertEqual(a[0], b[0])
+            np.testing.assert_allclose([float(x) for x in a[1:4]], [float(x) for x in b[1:4]], atol=2e-3)
+        # No root is hidden under the shown ground.
+        ground = json.loads(self.sward("info", "t.sward", "--json").stdout)
+        self.assertGreater(ground["ground"]["triangles"], 1000)
+        self.refused("plan", "large.tif", "--tiles", "4", "--count", "9", "-o", "p.json", code=UNSUPPORTED, names=("large.tif", "--count"))
+        # A file that changes after the plan is noticed.
+        changed = gdal.Open(str(self.folder / "large.tif"), gdal.GA_Update)
+        changed.GetRasterBand(1).WriteArray(HEIGHTS + 1, *at)
+        changed = None
+        shutil.rmtree(self.folder / "parts")
+        said = [subprocess.run([PROGRAM, "tile", "plan.json", "--index", str(i), "-o", "parts", "-q"], cwd=self.folder, capture_output=True,
+                               text=True) for i in range(4)]
+        self.assertIn(INPUT, {one.returncode for one in said})
+        self.assertIn("plan again", "".join(one.stderr for one in said))
 
     def test_what_is_wrong_is_named(self):
         self.tif("a.tif", HEIGHTS)
@@ -206,7 +274,7 @@ class Maps(CliTest):
         (self.folder / "text.tif").write_text("no map")
         (self.folder / "text.geojson").write_text("{}")
         cases = [(("cut.tif",), INPUT, ("cut.tif", "damaged or truncated")), (("text.tif",), INPUT, ("text.tif", "GeoTIFF")),
-                 (("none.tif",), IO, ("none.tif",)), (("huge.tif",), UNSUPPORTED, ("900000000 samples", "17000000", "gdal_translate")),
+                 (("none.tif",), IO, ("none.tif",)), (("huge.tif",), UNSUPPORTED, ("900000000 samples", "17000000", "sward plan --tiles 600", "gdal_translate")),
                  (("complex.tif",), UNSUPPORTED, ("complex",)),
                  (("a.tif", "--mask", "raster:bare.tif"), INPUT, ("bare.tif", "no coordinate system", "gdal_edit.py -a_srs")),
                  (("a.tif", "--mask", "raster:nowhere.tif"), INPUT, ("nowhere.tif", "no geotransform")),
