@@ -88,8 +88,7 @@ public:
     struct Rounds {
         std::uint32_t count = 1;
         std::function<void(std::uint32_t round)> list{}; ///< unset: the lists are full
-        /// Reads the visibility of a host's view, before its light may take the place of ids.
-        std::function<void(const shared::HostViewPush&)> beforeLight{};
+        std::function<void(const shared::HostViewPush&)> beforeLight{}; ///< reads a host's ids
     };
 
     /// Rasterises the view's lists, and lights the blades unless a layer does. Needs a barrier from

@@ -16,7 +16,7 @@ namespace {
 /// cache.
 constexpr std::uint32_t turnedTile = 32;
 
-constexpr std::size_t mostSpecies = 256; ///< numbers of render::Layer::species
+constexpr std::size_t maxSpecies = 256; ///< numbers of render::Layer::species
 
 /// Numbers of plants, from 1 on, in the order in which they were first seen.
 class PlantNumbers {
@@ -158,7 +158,7 @@ std::vector<SeenObject> seenObjects(const DatasetScene& scene, const render::Fra
     columns.species.resize(pixels);
     PlantNumbers numbers;
     std::vector<std::uint32_t> areas(1, 0); ///< by number
-    std::array<std::uint64_t, mostSpecies> ofSpecies{};
+    std::array<std::uint64_t, maxSpecies> ofSpecies{};
     for (std::uint32_t top = 0; top < size.y; top += turnedTile)
         for (std::uint32_t left = 0; left < size.x; left += turnedTile)
             for (std::uint32_t y = top; y < std::min(top + turnedTile, size.y); ++y)
@@ -185,7 +185,7 @@ std::vector<SeenObject> seenObjects(const DatasetScene& scene, const render::Fra
             masks.emplace_back();
             maskOf[i] = static_cast<std::uint32_t>(masks.size());
         }
-    std::array<Mask, mostSpecies> speciesMasks;
+    std::array<Mask, maxSpecies> speciesMasks;
     for (std::uint32_t x = 0; x < size.x; ++x) {
         if (scene.listsPlants)
             forEachRun(columns.plants, x, size.y, [&](std::uint32_t number, auto y, auto end) {
@@ -204,7 +204,7 @@ std::vector<SeenObject> seenObjects(const DatasetScene& scene, const render::Fra
     for (Mask& mask : masks)
         objects.push_back(mask.finished(pixels));
     std::ranges::sort(objects, {}, &SeenObject::plant);
-    for (std::size_t one = 1; one < mostSpecies && scene.listsSpecies; ++one)
+    for (std::size_t one = 1; one < maxSpecies && scene.listsSpecies; ++one)
         if (ofSpecies[one] > 0 && isLarge(ofSpecies[one])) {
             speciesMasks[one].name(0, static_cast<std::uint32_t>(one - 1));
             objects.push_back(speciesMasks[one].finished(pixels));

@@ -41,8 +41,8 @@ constexpr std::array<std::string_view, 6> wholeOptions{"seed",       "count",   
 /// Seeds of bakes that state none: as large as `seed` of a scene.
 constexpr glm::dvec2 usualSeeds(0.0, 2e9);
 
-constexpr std::size_t mostWords = 10'000; ///< of a setting
-constexpr double largestNumber = 1e15;
+constexpr std::size_t maxWords = 10'000; ///< of a setting
+constexpr double maxNumber = 1e15;
 
 template <typename Names>
 bool isAmong(const Names& names, std::string_view name)
@@ -53,8 +53,8 @@ bool isAmong(const Names& names, std::string_view name)
 double numberOf(const json& value, const std::string& place)
 {
     const double number = value.get<double>();
-    if (!std::isfinite(number) || std::abs(number) > largestNumber)
-        fail(ErrorKind::input, "{}: {} is beyond {:.0e}", place, value.dump(), largestNumber);
+    if (!std::isfinite(number) || std::abs(number) > maxNumber)
+        fail(ErrorKind::input, "{}: {} is beyond {:.0e}", place, number, maxNumber);
     return number;
 }
 
@@ -78,15 +78,16 @@ BakeSetting readSetting(std::string name, const json& value, const std::string& 
                value[1].is_number()) {
         setting.range = {numberOf(value[0], place), numberOf(value[1], place)};
         if (setting.range->x > setting.range->y)
-            fail(ErrorKind::input, "{}: {} is above {}", place, value[0].dump(), value[1].dump());
-    } else if (value.is_array() && !value.empty() && value.size() <= mostWords) {
+            fail(ErrorKind::input, "{}: {} is above {}", place, setting.range->x,
+                 setting.range->y);
+    } else if (value.is_array() && !value.empty() && value.size() <= maxWords) {
         for (const json& word : value)
             addWord(word, 1.0);
-    } else if (value.is_object() && !value.empty() && value.size() <= mostWords) {
+    } else if (value.is_object() && !value.empty() && value.size() <= maxWords) {
         for (const auto& [word, weight] : value.items()) {
             if (!weight.is_number() || numberOf(weight, place) < 0.0)
-                fail(ErrorKind::input, "{}: the weight of \"{}\" is {}; expected 0 or more", place,
-                     word, weight.dump());
+                fail(ErrorKind::input, "{}: the weight of \"{}\" is no number from 0 on", place,
+                     word);
             addWord(word, weight.get<double>());
         }
         if (std::accumulate(setting.weights.begin(), setting.weights.end(), 0.0) <= 0.0)
@@ -279,12 +280,12 @@ void bakeOne(const DrawnBake& bake, const fs::path& file, const std::string& sce
 
 } // namespace
 
-BakeRanges readBakeRanges(const json& object, const std::string& place, std::uint32_t mostFields)
+BakeRanges readBakeRanges(const json& object, const std::string& place, std::uint32_t maxFields)
 {
     SettingsReader reader(object, place);
     BakeRanges ranges;
     int count = 1;
-    reader.read("fields", count, 1, static_cast<int>(mostFields));
+    reader.read("fields", count, 1, static_cast<int>(maxFields));
     ranges.count = static_cast<std::uint32_t>(count);
     if (!reader.has("ground"))
         fail(ErrorKind::input, "{}: missing", reader.placeOf("ground"));

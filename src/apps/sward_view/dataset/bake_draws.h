@@ -32,7 +32,7 @@ struct BakeRanges {
 /// Reads the object `bakes` of a scene; `place` names it in messages. Throws Error{input} naming
 /// place, key, value and bound.
 BakeRanges readBakeRanges(const nlohmann::json& object, const std::string& place,
-                          std::uint32_t mostFields);
+                          std::uint32_t maxFields);
 
 /// A bake of a set.
 struct DrawnBake {

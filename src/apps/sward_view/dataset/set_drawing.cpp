@@ -15,17 +15,17 @@ constexpr render::LayerMask aheadLayer = render::bitOf(render::Layer::flowForwar
 
 /// The device has so many commands to go on with while the CPU waits: two frames.
 constexpr std::uint32_t framesAhead = 2;
-constexpr std::uint32_t mostSlots = 12;
+constexpr std::uint32_t maxSlots = 12;
 
 /// Memory that places may take together [bytes], and their least number: a frame is drawn, one
 /// waits for that, and one is read.
 constexpr std::size_t bytesOfPlaces = std::size_t(2) << 30;
-constexpr std::size_t fewestPlaces = 3;
+constexpr std::size_t minPlaces = 3;
 
 std::uint32_t slotsFor(const DatasetScene& scene)
 {
     const bool looksAhead = (SetDrawing::layersOf(scene) & aheadLayer) != 0;
-    return std::min(framesAhead * (scene.settling + (looksAhead ? 2 : 1)), mostSlots);
+    return std::min(framesAhead * (scene.settling + (looksAhead ? 2 : 1)), maxSlots);
 }
 
 render::FieldRendererSettings settingsOf(const DatasetScene& scene, const FrameOptions& options,
@@ -71,7 +71,7 @@ SetDrawing::SetDrawing(const gpu::Device& device, const DatasetScene& scene,
     const std::size_t ofPicture =
         std::size_t(scene.size.x) * scene.size.y * gpu::bytesPerPixel(target_.format());
     const std::size_t fitting = bytesOfPlaces / (ofLayers + ofAhead + ofPicture);
-    places_.resize(std::max(std::min<std::size_t>(fitting, readers + framesAhead), fewestPlaces));
+    places_.resize(std::max(std::min<std::size_t>(fitting, readers + framesAhead), minPlaces));
     for (Place& place : places_) {
         place.layers = readBufferOf(context_, "dataset/layers", ofLayers);
         place.ahead = readBufferOf(context_, "dataset/flow ahead", ofAhead);
