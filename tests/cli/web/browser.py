@@ -18,6 +18,16 @@ def chromium(address, profile, *switches):
                             start_new_session=True)
 
 
+def end(browser):
+    """What it has said on stderr. A browser that draws does not always hear the first request."""
+    os.killpg(browser.pid, signal.SIGTERM)
+    try:
+        return browser.communicate(timeout=10)[1]
+    except subprocess.TimeoutExpired:
+        os.killpg(browser.pid, signal.SIGKILL)
+        return browser.communicate()[1]
+
+
 def look(test, folder, page, *switches, ranges=True, timeout=240):
     """What a page of `folder` sends to the server. Fails the test if the page failed, or if anything stands on the
     console."""
@@ -26,8 +36,7 @@ def look(test, folder, page, *switches, ranges=True, timeout=240):
         try:
             found = json.loads(server.posted.get(timeout=timeout))
         finally:
-            os.killpg(browser.pid, signal.SIGTERM)
-            said = browser.communicate()[1]
+            said = end(browser)
     test.assertNotIn("failed", found, found.get("failed"))
     test.assertEqual(found["errors"], [])
     test.assertEqual([line for line in said.splitlines() if ":CONSOLE" in line], [])
