@@ -3008,6 +3008,7 @@ var units = [
   "resolved3"
 ];
 var blocks = ["FrameConstants", "LookTables"];
+var firstBlock = 22;
 var Program = class {
   /** `captured`: outputs of the vertex stage that transform feedback keeps, in this order. */
   constructor(gl, name, vertex, fragment, captured2 = []) {
@@ -3049,7 +3050,7 @@ var Program = class {
     });
     blocks.forEach((block, binding) => {
       const index = gl.getUniformBlockIndex(this.program, block);
-      if (index !== gl.INVALID_INDEX) gl.uniformBlockBinding(this.program, index, binding);
+      if (index !== gl.INVALID_INDEX) gl.uniformBlockBinding(this.program, index, firstBlock + binding);
     });
     return this;
   }
@@ -4119,8 +4120,8 @@ var Parts = class {
     const { gl } = this;
     gl.bindBuffer(gl.UNIFORM_BUFFER, this.frame);
     gl.bufferData(gl.UNIFORM_BUFFER, block.bytes, gl.DYNAMIC_DRAW);
-    gl.bindBufferBase(gl.UNIFORM_BUFFER, 0, this.frame);
-    gl.bindBufferBase(gl.UNIFORM_BUFFER, 1, this.looks);
+    gl.bindBufferBase(gl.UNIFORM_BUFFER, firstBlock, this.frame);
+    gl.bindBufferBase(gl.UNIFORM_BUFFER, firstBlock + 1, this.looks);
   }
   /** The ground as the sun sees it, when the sun has moved. */
   drawSunMap(sun) {

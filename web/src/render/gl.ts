@@ -6,8 +6,12 @@ const units = [
   "resolved", "resolved1", "resolved2", "resolved3",
 ] as const;
 
-/** Blocks of uniforms, by their binding points. */
+/**
+ * Blocks of uniforms, by their binding points from the first on. These are the last ones that every device has: hosts
+ * begin with the first, and Babylon.js does not look again at what it has bound.
+ */
 const blocks = ["FrameConstants", "LookTables"];
+export const firstBlock = 22;
 
 export type Gl = WebGL2RenderingContext;
 
@@ -59,7 +63,7 @@ export class Program {
     });
     blocks.forEach((block, binding) => {
       const index = gl.getUniformBlockIndex(this.program, block);
-      if (index !== gl.INVALID_INDEX) gl.uniformBlockBinding(this.program, index, binding);
+      if (index !== gl.INVALID_INDEX) gl.uniformBlockBinding(this.program, index, firstBlock + binding);
     });
     return this;
   }

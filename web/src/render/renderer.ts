@@ -12,7 +12,7 @@ import { Cover, noCover, sownCover } from "./cover";
 import {
   frameBlock, FrameInput, frameSettings, looksBlock, minWidthOf, Scene, shadowPlanes, shadowRows, sunMapSize,
 } from "./frame";
-import { bindTexture, Gl, imageTexture, makeTarget, makeTexture, Picture, Program, samplePlaces, tableWidth, wordTable } from "./gl";
+import { bindTexture, firstBlock, Gl, imageTexture, makeTarget, makeTexture, Picture, Program, samplePlaces, tableWidth, wordTable } from "./gl";
 import { enterHost, HostInput, hostView, leaveHost } from "./host";
 import { Light, usualLight, turnedWith } from "./light";
 import { sceneOf } from "./scene";
@@ -494,8 +494,8 @@ class Parts {
     const { gl } = this;
     gl.bindBuffer(gl.UNIFORM_BUFFER, this.frame);
     gl.bufferData(gl.UNIFORM_BUFFER, block.bytes, gl.DYNAMIC_DRAW);
-    gl.bindBufferBase(gl.UNIFORM_BUFFER, 0, this.frame);
-    gl.bindBufferBase(gl.UNIFORM_BUFFER, 1, this.looks);
+    gl.bindBufferBase(gl.UNIFORM_BUFFER, firstBlock, this.frame);
+    gl.bindBufferBase(gl.UNIFORM_BUFFER, firstBlock + 1, this.looks);
   }
 
   /** The ground as the sun sees it, when the sun has moved. */
