@@ -109,9 +109,9 @@ struct LayerWords {
     glm::uvec2 size{0};                     ///< [pixels]
     LayerMask wanted = 0;                   ///< flowForward is of the frame before
     std::span<const std::uint32_t> words{}; ///< of layerBytes(), in the caller's memory, or …
-    std::shared_ptr<const std::vector<std::uint32_t>> copied; ///< … in this; else null
+    std::shared_ptr<const std::vector<std::uint32_t>> copied{}; ///< … in this; else null
     /// LayerId of blades by resident id; null: those of the field's blades, in file order.
-    std::shared_ptr<const std::vector<std::uint64_t>> ids;
+    std::shared_ptr<const std::vector<std::uint64_t>> ids{};
 };
 
 /// Bytes of the words of some layers of a picture. `ofInstances`: as HostLayers has them.
