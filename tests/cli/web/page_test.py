@@ -31,7 +31,8 @@ FILES = {"index.html", "sward.js", "field.sward", "field.cover"}
 # A view in grass, and one of the whole field.
 CAMERAS = [{"eye": [-2.0, 1.2, -6.0], "target": [0.0, 0.0, 0.0], "up": [0, 1, 0], "fov_y_deg": 45},
            {"eye": [8.1, 19.2, -57.9], "target": [-1.9, 1.2, 0.2], "up": [0, 1, 0], "fov_y_deg": 40}]
-LARGEST_FLIP = 0.045  # measured: 0.033 in grass, 0.014 of the whole field
+LARGEST_FLIP = 0.03  # measured: 0.018 in grass
+LARGEST_SOWN_FLIP = 0.04  # measured: 0.029, in a smaller picture
 LARGEST_STRAY = 3e-4  # [m] of a control point, of ribbons 1 m long; measured: 1.1e-4 for 99 of 100 blades
 
 
@@ -192,7 +193,7 @@ class LongBrowser(CliTest):
         subprocess.run([str(VIEWER), "render", str(field), "-o", "view.png", "--size", f"{width}x{height}", "--camera",
                         "camera.json", "--force"], cwd=self.folder, check=True, capture_output=True)
         ours, theirs = (picture_of(self.folder / name) / 255.0 for name in ("web.png", "view.png"))
-        self.assertLess(float(flip(to_linear(theirs), to_linear(ours)).mean()), LARGEST_FLIP)
+        self.assertLess(float(flip(to_linear(theirs), to_linear(ours)).mean()), LARGEST_SOWN_FLIP)
 
     def assert_curves(self, curves):
         """Every blade that the viewer draws is drawn, with its curve; others are those that the ground hides."""

@@ -16,26 +16,29 @@
 namespace sward::terrain {
 namespace {
 
-constexpr std::uint32_t side = 97;
+constexpr std::uint32_t sideOfParts = 97;
 
 // Rough hills far from the origin, with a step, a hole and single gaps.
 std::vector<double> roughHeights()
 {
     std::vector<double> heights;
-    for (std::uint32_t j = 0; j < side; ++j)
-        for (std::uint32_t i = 0; i < side; ++i) {
+    for (std::uint32_t j = 0; j < sideOfParts; ++j)
+        for (std::uint32_t i = 0; i < sideOfParts; ++i) {
             const bool isGap =
                 (i > 40 && i < 47 && j > 60 && j < 70) || (i * 131 + j * 71) % 977 == 0;
             heights.push_back(isGap ? std::numeric_limits<double>::quiet_NaN()
                                     : 300.0 + 4.0 * std::sin(0.1 * i) + 3.0 * std::cos(0.13 * j) +
-                                          0.3 * uniform(3, j * side + i, 0) + (i > 70 ? 5.0 : 0.0));
+                                          0.3 * uniform(3, j * sideOfParts + i, 0) +
+                                          (i > 70 ? 5.0 : 0.0));
         }
     return heights;
 }
 
 HeightGrid roughGrid()
 {
-    return {.extent = {48.0, 72.0}, .cells = {side - 1, side - 1}, .middle = {9013.0, -4711.0}};
+    return {.extent = {48.0, 72.0},
+            .cells = {sideOfParts - 1, sideOfParts - 1},
+            .middle = {9013.0, -4711.0}};
 }
 
 TEST(HeightParts, AreThoseOfTheWholeBitByBit)
@@ -62,7 +65,7 @@ TEST(HeightParts, AreThoseOfTheWholeBitByBit)
     std::vector<double> own;
     for (std::uint32_t j = 0; j < part.points.y; ++j)
         for (std::uint32_t i = 0; i < part.points.x; ++i)
-            own.push_back(heights[std::size_t(part.first.y + j) * side + part.first.x + i]);
+            own.push_back(heights[std::size_t(part.first.y + j) * sideOfParts + part.first.x + i]);
     const GroundMesh ground = heightfield(roughGrid(), part, own, "part");
     ASSERT_GT(ground.triangles.size(), 3000U);
     ASSERT_EQ(ground.sourceOf.size(), ground.triangles.size());

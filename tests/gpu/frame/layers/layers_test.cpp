@@ -2,6 +2,7 @@
 
 #include "core/error.h"
 #include "gpu/frame/picture.h"
+#include "gpu/memory/buffer.h"
 #include "gpu/memory/image_use.h"
 #include "gpu/recording/commands.h"
 #include "gpu/recording/frame_ring.h"
