@@ -1,6 +1,6 @@
 #include "core/error.h"
 #include "terrain/blocks.h"
-#include "terrain/heightmap/map_windows.h"
+#include "terrain/heightmap/map_parts.h"
 
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>

@@ -21,7 +21,7 @@
 #include "core/random.h"
 #include "field/write.h"
 #include "terrain/heightmap/heightmap.h"
-#include "terrain/heightmap/map_windows.h"
+#include "terrain/heightmap/map_parts.h"
 
 #include <CLI/CLI.hpp>
 #include <fmt/ranges.h>

@@ -13,7 +13,7 @@
 #include "bake/tiles/tile_files.h"
 #include "core/error.h"
 #include "core/files/atomic_file.h"
-#include "terrain/heightmap/map_windows.h"
+#include "terrain/heightmap/map_parts.h"
 
 #include <CLI/CLI.hpp>
 

@@ -12,8 +12,8 @@
 namespace sward::bake {
 namespace {
 
-constexpr std::uint64_t mostOfRun = 1U << 20; // [bytes]; one frame at least
-constexpr std::size_t mostOpen = 256;         // of the 1024 files of a process
+constexpr std::uint64_t maxOfRun = 1U << 20; // [bytes]; one frame at least
+constexpr std::size_t maxOpen = 256;         // of the 1024 files of a process
 
 } // namespace
 
@@ -50,7 +50,7 @@ field::Seeds StoredSeeds::layOut(const field::SeedMeadow& meadow)
                  tiles_[order[i - 1].tile].file.string());
         const std::uint64_t at = tiles_[tile].at + entry.offset;
         if (!runs_.empty() && runs_.back().tile == tile &&
-            runs_.back().at + runs_.back().bytes == at && runs_.back().bytes < mostOfRun)
+            runs_.back().at + runs_.back().bytes == at && runs_.back().bytes < maxOfRun)
             runs_.back().bytes += entry.bytes;
         else
             runs_.push_back({tile, at, entry.bytes});
@@ -66,7 +66,7 @@ void StoredSeeds::eachSeedByte(const field::TakeBytes& take) const
     std::map<std::uint32_t, PieceFile> open;
     UninitializedVector<std::byte> bytes;
     for (const Run& run : runs_) {
-        if (open.size() >= mostOpen && open.find(run.tile) == open.end())
+        if (open.size() >= maxOpen && open.find(run.tile) == open.end())
             open.clear();
         bytes.resize(run.bytes);
         open.try_emplace(run.tile, tiles_[run.tile].file).first->second.read(run.at, bytes);

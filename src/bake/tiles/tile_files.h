@@ -5,7 +5,7 @@
 #include "bake/tiles/bake_tile.h"
 #include "bake/tiles/stored_cells.h"
 #include "terrain/ground_mesh.h"
-#include "terrain/heightmap/map_windows.h"
+#include "terrain/heightmap/map_parts.h"
 
 #include <array>
 #include <cstdint>

@@ -64,7 +64,7 @@ std::size_t sizeOf(LayerNumber number);
 /// Name and form of a layer.
 struct LayerForm {
     std::string_view name; ///< as --layers and files have it
-    LayerNumber number = LayerNumber::real;
+    LayerNumber number = LayerNumber::real; ///< kind of its numbers
     std::uint32_t channels = 1; ///< numbers of a pixel
 };
 

@@ -155,10 +155,10 @@ class OptionsInDocs(unittest.TestCase):
     def test_pages_name_only_options_that_there_are(self):
         # Of cmake, blender and pkg-config; and what no --help lists.
         known = {"--build", "--install", "--prefix", "--small", "--release", "--factory-startup", "--python", "--libs", "--man", "--completion",
-                 "--option"}
+                 "--option", "--no-save"}
         for page in pages(PROGRAMS).values():
             known |= {name for option in page.options for name in option.names}
-        for script in (ROOT / "scripts").iterdir():
+        for script in [*(ROOT / "scripts").iterdir(), *(ROOT / "web/bench").iterdir()]:
             if script.is_file():
                 known |= set(re.findall(r"--[a-z][a-z0-9-]+", script.read_text(encoding="utf-8")))
         documents = [ROOT / "README.md", *(ROOT / "docs").glob("*.md"), *(ROOT / "docs/algorithms").glob("*.md")]

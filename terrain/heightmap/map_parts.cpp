@@ -1,4 +1,4 @@
-#include "terrain/heightmap/map_windows.h"
+#include "terrain/heightmap/map_parts.h"
 
 #include "core/error.h"
 #include "terrain/heightmap/height_samples.h"
@@ -17,7 +17,7 @@ namespace {
 
 constexpr double highestOfMap = 1e6; // [m] above or below 0
 constexpr double longestOfMap = 1e7; // [m] a side of the ground
-constexpr double mostSamples = 2e9;  // two triangles each have numbers of 32 bits
+constexpr double maxSamples = 2e9;  // two triangles each have numbers of 32 bits
 constexpr std::uint32_t block = MapSurvey::block;
 
 std::uint64_t mixed(std::uint64_t hash, std::span<const double> heights)
@@ -68,9 +68,9 @@ MapHeights::MapHeights(const std::string& path, const ImportSettings& settings,
 {
     const MapGrid& map = raster_->grid();
     const double count = double(map.size.x) * double(map.size.y);
-    if (std::min(map.size.x, map.size.y) < 2 || count > mostSamples)
+    if (std::min(map.size.x, map.size.y) < 2 || count > maxSamples)
         fail(ErrorKind::input, "{}: {}x{} samples, outside 2 on a side and {:.3g} in all", path,
-             map.size.x, map.size.y, mostSamples);
+             map.size.x, map.size.y, maxSamples);
     const std::optional<glm::dvec2>& range = settings.heightmap.height;
     if (range && !(range->x >= -highestOfMap && range->x <= range->y && range->y <= highestOfMap))
         fail(ErrorKind::usage, "{}: --height {}:{} is not a range inside [{}, {}] m", path,
