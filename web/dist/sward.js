@@ -6259,7 +6259,7 @@ var Grass = class _Grass {
   }
   field;
   renderer;
-  /** Opens a field. `gl`: the host's context. Further blades come afterwards. */
+  /** Opens a field. `gl`: the host's context, whose state the host forgets afterwards as after draw(). */
   static async open(gl, options) {
     const { onChange, onError } = options;
     const field = await openField(options.field);
@@ -6268,7 +6268,9 @@ var Grass = class _Grass {
       field.isSown && options.sow !== false ? Sowing.open(field, { onChange, onError, ...options.sow }) : void 0,
       field.loadPages(0, Math.min(firstPages, field.pageCount))
     ]);
+    const before = enterHost(gl);
     const grass = new _Grass(field, new Renderer(gl.canvas, field, cover, sowing, gl));
+    leaveHost(gl, before);
     grass.loadRest(onChange).catch((error) => {
       if (!(error instanceof SwardError)) throw error;
       onError?.(error);

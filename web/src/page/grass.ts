@@ -1,6 +1,7 @@
 import { SwardError } from "../format/error";
 import { Field, openField } from "../format/field";
 import { coverAt, noCover } from "../render/cover";
+import { enterHost, leaveHost } from "../render/host";
 import type { HostInput } from "../render/host";
 import { DrawStats, Renderer } from "../render/renderer";
 import { Sowing } from "../sow/sowing";
@@ -31,7 +32,7 @@ export class Grass {
     readonly renderer: Renderer,
   ) {}
 
-  /** Opens a field. `gl`: the host's context. Further blades come afterwards. */
+  /** Opens a field. `gl`: the host's context, whose state the host forgets afterwards as after draw(). */
   static async open(gl: WebGL2RenderingContext, options: GrassOptions): Promise<Grass> {
     const { onChange, onError } = options;
     const field = await openField(options.field);
@@ -40,7 +41,9 @@ export class Grass {
       field.isSown && options.sow !== false ? Sowing.open(field, { onChange, onError, ...options.sow }) : undefined,
       field.loadPages(0, Math.min(firstPages, field.pageCount)),
     ]);
+    const before = enterHost(gl);
     const grass = new Grass(field, new Renderer(gl.canvas as HTMLCanvasElement, field, cover, sowing, gl));
+    leaveHost(gl, before);
     grass.loadRest(onChange).catch((error: unknown) => {
       if (!(error instanceof SwardError)) throw error;
       onError?.(error);
