@@ -2,6 +2,7 @@
 
 import json
 import os
+import shutil
 import signal
 import subprocess
 import tempfile
@@ -154,6 +155,14 @@ class Dataset(DatasetCase):
         done = self.dataset("-o", "one", scene="other.json", code=1)
         self.assertIn("its \"scene\" differs", done.stderr)
         self.assertEqual(self.files("one"), before)
+
+    def test_a_torn_description_is_named(self):
+        shutil.copytree(self.folder / "one", self.folder / "torn")
+        torn = self.folder / "torn/frame_00000002.json"
+        for text in (torn.read_text(encoding="utf-8")[:-9], "{}", "[1]"):
+            torn.write_text(text, encoding="utf-8")
+            done = self.dataset("-o", "torn", code=3)
+            self.assertIn("torn/frame_00000002.json: no objects of a frame; remove it", done.stderr)
 
     def test_wrong_scenes_and_options_are_refused(self):
         for change, code, says in (({"fields": []}, 3, "fields"), ({"bakes": {"fields": 2}}, 3, "ground"),

@@ -211,6 +211,8 @@ void drawAll(const DatasetScene& scene, const DatasetOptions& options,
         const FrameOptions frame = frameOptionsOf(scene, options, field);
         SetDrawing drawing(device, scene, frame, fields[field], isRadiance, threads);
         const FrameDraws draws(scene, fields[field], drawing.settings());
+        // Ranges that the ground does not meet leave no manifest, which would claim the folder.
+        static_cast<void>(draws.draw(left[field].front()));
         if (output != nullptr)
             output->writeManifest(device.context().name + " (" + device.context().driver + ")");
         // Ends before what its tasks use.

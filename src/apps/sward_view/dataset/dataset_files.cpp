@@ -16,6 +16,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
+#include <string_view>
 #include <utility>
 
 namespace sward::view {
@@ -54,19 +56,19 @@ OrderedJson describe(const render::Camera& camera, glm::uvec2 size)
     return json;
 }
 
-OrderedJson describe(const SeenObject& object, glm::uvec2 size, std::uint32_t category)
+/// Appends the object as JSON. A frame has thousands of objects with a hundred runs each: a tree of
+/// values took most of the time of writing it.
+void describe(const SeenObject& object, glm::uvec2 size, std::uint32_t category, std::string& text)
 {
     const glm::uvec2 extent = object.high - object.low;
-    OrderedJson json;
-    json["category_id"] = category + 1;
-    if (object.plant != 0)
-        json["plant"] = std::to_string(object.plant); // beyond what every program reads as a number
-    json["bbox"] = OrderedJson::array({object.low.x, object.low.y, extent.x, extent.y});
-    json["area"] = object.area;
-    json["iscrowd"] = object.plant == 0 ? 1 : 0;
-    json["segmentation"]["size"] = OrderedJson::array({size.y, size.x});
-    json["segmentation"]["counts"] = object.runs;
-    return json;
+    const auto out = std::back_inserter(text);
+    fmt::format_to(out, R"({{"category_id":{},)", category + 1);
+    if (object.plant != 0) // a text: beyond what every program reads as a number
+        fmt::format_to(out, R"("plant":"{}",)", object.plant);
+    fmt::format_to(out, R"("bbox":[{},{},{},{}],"area":{},"iscrowd":{},)", object.low.x,
+                   object.low.y, extent.x, extent.y, object.area, object.plant == 0 ? 1 : 0);
+    fmt::format_to(out, R"("segmentation":{{"size":[{},{}],"counts":[{}]}}}})", size.y, size.x,
+                   fmt::join(object.runs, ","));
 }
 
 std::string wholeText(const fs::path& path)
@@ -184,10 +186,14 @@ std::string DatasetFiles::descriptionOf(std::uint64_t frame, const DrawnFrame& w
     json["wind_strength"] = what.windStrength;
     json["time_s"] = what.time;
     json["objects"] = OrderedJson::array();
-    for (const SeenObject& object : objects)
-        json["objects"].push_back(
-            describe(object, scene_.size, categoryOf_[field][object.species]));
-    return jsonText(json) + "\n";
+    std::string text = jsonText(json);
+    text.resize(text.size() - std::string_view("]}").size());
+    for (const SeenObject& object : objects) {
+        if (text.back() != '[')
+            text += ',';
+        describe(object, scene_.size, categoryOf_[field][object.species], text);
+    }
+    return text + "]}\n";
 }
 
 std::uint64_t DatasetFiles::write(std::uint64_t frame, const DrawnFrame& what,
@@ -231,36 +237,48 @@ std::uint64_t DatasetFiles::write(std::uint64_t frame, const DrawnFrame& what,
     return bytes;
 }
 
+/// Holds one frame's objects at a time: those of a large set take more memory than there is.
 void DatasetFiles::writeObjects() const
 {
-    OrderedJson json;
-    json["info"]["description"] = scene_.file.filename().string();
-    json["images"] = OrderedJson::array();
-    json["annotations"] = OrderedJson::array();
-    json["categories"] = OrderedJson::array();
-    for (std::size_t i = 0; i < categories_.size(); ++i)
-        json["categories"].push_back(
-            {{"id", i + 1}, {"name", categories_[i].name}, {"supercategory", "plant"}});
     constexpr const char* extensions[] = {".exr", ".npz", ".png"};
+    const char* const extension = extensions[static_cast<std::size_t>(scene_.format)];
+    OrderedJson info;
+    info["description"] = scene_.file.filename().string();
+    OrderedJson images = OrderedJson::array();
+    for (std::uint64_t frame = 0; frame < scene_.frames; ++frame)
+        images.push_back({{"id", frame},
+                          {"file_name", nameOf(frame, extension).filename().string()},
+                          {"width", scene_.size.x},
+                          {"height", scene_.size.y}});
+    OrderedJson categories = OrderedJson::array();
+    for (std::size_t i = 0; i < categories_.size(); ++i)
+        categories.push_back(
+            {{"id", i + 1}, {"name", categories_[i].name}, {"supercategory", "plant"}});
+
+    AtomicFile file(folder_ / "coco.json", true);
+    file.write(fmt::format(R"({{"info":{},"images":{},"annotations":[)", jsonText(info),
+                           jsonText(images)));
     std::uint64_t id = 0;
+    std::string text;
     for (std::uint64_t frame = 0; frame < scene_.frames; ++frame) {
         const fs::path path = nameOf(frame, ".json");
-        const OrderedJson described = OrderedJson::parse(wholeText(path));
-        json["images"].push_back(
-            {{"id", frame},
-             {"file_name", nameOf(frame, extensions[static_cast<std::size_t>(scene_.format)])
-                               .filename()
-                               .string()},
-             {"width", scene_.size.x},
-             {"height", scene_.size.y}});
-        for (const OrderedJson& object : described.at("objects")) {
+        const OrderedJson described = OrderedJson::parse(wholeText(path), nullptr, false);
+        const auto objects = described.is_object() ? described.find("objects") : described.end();
+        if (objects == described.end() || !objects->is_array())
+            fail(ErrorKind::input, "{}: no objects of a frame; remove it to draw the frame again",
+                 path.string());
+        text.clear();
+        for (const OrderedJson& object : *objects) {
             OrderedJson annotation{{"id", ++id}, {"image_id", frame}};
-            annotation.update(object);
-            json["annotations"].push_back(std::move(annotation));
+            if (object.is_object())
+                annotation.update(object);
+            text += (id == 1 ? "" : ",") + jsonText(annotation);
         }
+        file.write(text);
     }
-    AtomicFile file(folder_ / "coco.json", true);
-    file.write(jsonText(json) + "\n");
+    file.write(fmt::format(R"(],"categories":{}}}
+)",
+                           jsonText(categories)));
     file.commit();
 }
 
