@@ -138,13 +138,15 @@ protected:
 TEST_F(HeightRaysOnHills, MeetWhatEmbreeMeets)
 {
     // Rounding may decide otherwise where a ray passes an edge: Embree works in single precision.
-    std::array<int, 3> differ{};
+    // A ray that starts in a corner begins on the edges of five triangles that it does not ignore.
+    std::array<std::array<int, 3>, 2> differences{}; ///< of rays from within; of rays from a corner
     int hits = 0;
     constexpr int rays = 20'000;
     for (std::uint64_t n = 0; n < rays; ++n) {
         const Start from = start(n);
         const double limit = n % 4 == 0 ? 40.0 : 8.0;
         const IgnoredTriangles own{.one = from.triangle};
+        std::array<int, 3>& differ = differences[n % 5 == 0 ? 1 : 0];
         const bool isHit = grid.occluded(from.point, from.direction, limit, 8e-4, own);
         hits += isHit ? 1 : 0;
         differ[0] += isHit != embree.occluded(from.point, from.direction, limit, 8e-4, own) ? 1 : 0;
@@ -158,8 +160,10 @@ TEST_F(HeightRaysOnHills, MeetWhatEmbreeMeets)
     }
     EXPECT_GT(hits, rays / 10);
     EXPECT_LT(hits, rays * 9 / 10);
-    for (const int count : differ)
-        EXPECT_LE(count, rays / 1000);
+    for (const int count : differences[0])
+        EXPECT_LE(count, rays * 4 / 5 / 2000);
+    for (const int count : differences[1])
+        EXPECT_LE(count, rays / 5 / 100);
 }
 
 TEST_F(HeightRaysOnHills, KnowTheNearestPoint)
