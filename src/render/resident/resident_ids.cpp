@@ -15,9 +15,9 @@ std::shared_ptr<const std::vector<std::uint64_t>> residentIdsOf(const DeviceFiel
     const std::vector<std::uint32_t> places =
         own.edits ? own.edits->field().placesOf(field) : own.sowing->placesOf(field);
     std::vector<std::uint64_t> ids(own.blades.placeCount(), 0);
-    for (std::size_t i = 0; i < places.size(); ++i)
-        if (places[i] < ids.size())
-            ids[places[i]] = field.idOf(i);
+    for (std::size_t i = 0; i < field.blades.size(); ++i)
+        if (const std::size_t place = places.empty() ? i : places[i]; place < ids.size())
+            ids[place] = field.idOf(i);
     if (own.sowing)
         for (const SownTables::Resident& resident : own.sowing->residents()) {
             const field::GrownUnit grown = own.sowing->grownAgain(resident.unit);

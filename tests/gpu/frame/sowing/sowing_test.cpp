@@ -13,6 +13,7 @@
 #include <cstdint>
 #include <limits>
 #include <map>
+#include <set>
 #include <vector>
 
 namespace sward::render {
@@ -231,6 +232,45 @@ TEST_F(SowingTest, TellsOfSownBladesByTheKeysAndPlacesThatGrow)
     }
     EXPECT_EQ(first, records.size());
     EXPECT_GT(stalks, 300U);
+
+    // Layers have the same keys: each of one blade, which stands where the layer sees it.
+    std::map<std::uint64_t, std::vector<glm::dvec3>> standing;
+    std::set<std::uint64_t> sownIds;
+    for (std::size_t i = 0; i < records.size(); ++i) {
+        const std::uint64_t id = LayerId::of(records[i].id);
+        standing[id].push_back(records[i].root);
+        if (i >= seeded.blades.size())
+            sownIds.insert(id);
+        else
+            EXPECT_FALSE(sownIds.contains(id)) << "stored and sown";
+    }
+    for (const auto& [id, roots] : standing)
+        for (const glm::dvec3& root : roots)
+            ASSERT_LT(glm::distance(root, roots.front()), 1.0)
+                << "only ribbons of a plant share one";
+    constexpr LayerMask wantedLayers =
+        bitOf(Layer::blade) | bitOf(Layer::plant) | bitOf(Layer::depth);
+    picture.drawLayers(sown, here(), all, 1.0, wantedLayers);
+    const FrameLayers layers = layersOf(sown.layerWords(seeded), seeded);
+    const auto ids = layers.as<std::uint64_t>(Layer::blade);
+    const auto plants = layers.as<std::uint64_t>(Layer::plant);
+    const auto depths = layers.as<float>(Layer::depth);
+    std::size_t ofBlades = 0, ofSown = 0;
+    for (std::size_t i = 0; i < ids.size(); ++i) {
+        if (ids[i] == 0)
+            continue;
+        ++ofBlades;
+        ASSERT_TRUE(standing.contains(ids[i])) << i;
+        ASSERT_TRUE(standing.contains(plants[i])) << i;
+        ofSown += sownIds.contains(ids[i]) ? 1U : 0U;
+        double nearest = std::numeric_limits<double>::infinity();
+        for (const glm::dvec3& root : standing.at(plants[i]))
+            nearest = std::min(nearest, std::abs(glm::distance(root, here().eye) - depths[i]));
+        EXPECT_LT(nearest, 1.0) << "farther than a blade is high";
+    }
+    EXPECT_GT(ofBlades, 2000U);
+    EXPECT_GT(ofSown, ofBlades * 3 / 4) << "both kinds are seen, and most blades are sown";
+    EXPECT_LT(ofSown, ofBlades);
 
     // A unit that has gone has no blades; the same place has others.
     FieldRenderer::Settings little = wanted;
