@@ -97,9 +97,9 @@ struct GroundMesh {
     std::string mapSystem; ///< coordinate system of the world as WKT: x east, z south; or empty
     std::string copyright; ///< glTF asset.copyright, passed on to exports
 
-    std::shared_ptr<const HeightCells> heightCells; ///< null: it is no grid, or nobody knows
+    std::shared_ptr<const HeightCells> heightCells; ///< null: not known to be a grid
 
-    /// Every so many points of a finer ground, which it stands for (MapSurvey). 1: the ground
+    /// Step of the points taken of a finer ground, which it stands for (MapSurvey). 1: the ground
     /// itself.
     std::uint32_t overview = 1;
 

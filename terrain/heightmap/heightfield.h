@@ -30,7 +30,7 @@ inline constexpr std::size_t heightPointLimit = 17'000'000;
 struct HeightPart {
     glm::uvec2 first{0U};     ///< column and row of the grid where the heights begin
     glm::uvec2 points{0U};    ///< heights along x and z
-    std::uint32_t stride = 1; ///< every so many points of the grid, and its last ones
+    std::uint32_t stride = 1; ///< takes every stride-th point of the grid, and its last ones
     glm::uvec2 firstCell{0U}; ///< of the ground, among the cells between these heights
     glm::uvec2 cells{0U};     ///< of the ground; heights around them give the normals at its edge
 

@@ -82,7 +82,7 @@ std::string textOfBounds(const MapBounds& bounds)
 struct GridPart {
     glm::dvec2 from{0.0};  // whole column and row
     glm::dvec2 count{0.0}; // of columns and rows
-    double thin = 1.0;     // every so many
+    double thin = 1.0;     // step of the points taken
 };
 
 class Raster : public MapRaster {

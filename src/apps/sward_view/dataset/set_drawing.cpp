@@ -13,7 +13,7 @@ namespace {
 
 constexpr render::LayerMask aheadLayer = render::bitOf(render::Layer::flowForward);
 
-/// The device has so many commands to go on with while the CPU waits: two frames.
+/// Frames whose commands the device holds while the CPU waits.
 constexpr std::uint32_t framesAhead = 2;
 constexpr std::uint32_t maxSlots = 12;
 
