@@ -78,8 +78,7 @@ BakeSetting readSetting(std::string name, const json& value, const std::string& 
                value[1].is_number()) {
         setting.range = {numberOf(value[0], place), numberOf(value[1], place)};
         if (setting.range->x > setting.range->y)
-            fail(ErrorKind::input, "{}: {} is above {}", place, setting.range->x,
-                 setting.range->y);
+            fail(ErrorKind::input, "{}: {} is above {}", place, setting.range->x, setting.range->y);
     } else if (value.is_array() && !value.empty() && value.size() <= maxWords) {
         for (const json& word : value)
             addWord(word, 1.0);
