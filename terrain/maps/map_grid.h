@@ -45,7 +45,7 @@ struct MapGrid {
 inline constexpr const char* heightsOption = "heights";
 
 /// Heights of a tile of a large map that is baked within a gigabyte of memory.
-inline constexpr double samplesOfTile = 1.5e6;
+inline constexpr double samplesOfTile = 3e6;
 
 /// What is read of a raster.
 struct MapRequest {

@@ -274,7 +274,7 @@ class Maps(CliTest):
         (self.folder / "text.tif").write_text("no map")
         (self.folder / "text.geojson").write_text("{}")
         cases = [(("cut.tif",), INPUT, ("cut.tif", "damaged or truncated")), (("text.tif",), INPUT, ("text.tif", "GeoTIFF")),
-                 (("none.tif",), IO, ("none.tif",)), (("huge.tif",), UNSUPPORTED, ("900000000 samples", "17000000", "sward plan --tiles 600", "gdal_translate")),
+                 (("none.tif",), IO, ("none.tif",)), (("huge.tif",), UNSUPPORTED, ("900000000 samples", "17000000", "sward plan --tiles 300", "gdal_translate")),
                  (("complex.tif",), UNSUPPORTED, ("complex",)),
                  (("a.tif", "--mask", "raster:bare.tif"), INPUT, ("bare.tif", "no coordinate system", "gdal_edit.py -a_srs")),
                  (("a.tif", "--mask", "raster:nowhere.tif"), INPUT, ("nowhere.tif", "no geotransform")),
