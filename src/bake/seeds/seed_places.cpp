@@ -106,8 +106,8 @@ void eachPart(const SeedCorners& corners, const SeedPart& part, Visit visit)
 template <typename Visit>
 void eachCell(glm::dvec3 low, glm::dvec3 high, Visit visit)
 {
-    SeedCellNumber first;
-    SeedCellNumber last;
+    SeedCellNumber first{};
+    SeedCellNumber last{};
     double count = 1.0;
     for (glm::length_t axis = 0; axis < 3; ++axis) {
         first[std::size_t(axis)] = static_cast<std::int32_t>(floorOf(low[axis] / seedCellSide));
