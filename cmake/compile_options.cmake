@@ -11,6 +11,9 @@ target_compile_options(sward_options INTERFACE
 if(CMAKE_UNITY_BUILD)
   target_compile_options(sward_options INTERFACE -Wno-shadow $<$<CXX_COMPILER_ID:GNU>:-Wshadow=local>)
 endif()
+# GCC 14 says of the empty value of a std::optional that it may be uninitialized where it is emplaced. GCC 12 still warns.
+target_compile_options(sward_options INTERFACE
+  $<$<AND:$<CXX_COMPILER_ID:GNU>,$<VERSION_GREATER_EQUAL:$<CXX_COMPILER_VERSION>,13>>:-Wno-maybe-uninitialized>)
 if(SWARD_WERROR)
   target_compile_options(sward_options INTERFACE -Werror)
 endif()
