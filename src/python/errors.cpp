@@ -1,5 +1,6 @@
 #include "core/error_name.h"
 #include "python/python_module.h"
+#include "python/work.h"
 
 #include <exception>
 #include <filesystem>
@@ -10,13 +11,11 @@ namespace {
 
 namespace py = pybind11;
 
-// Raises sward.Error. File names in messages are bytes, as Python's os.fsdecode() reads them.
+// Raises sward.Error.
 void raise(ErrorKind kind, const std::string& message)
 {
     const py::object type = py::module_::import("sward._errors").attr("Error");
-    const py::object text = py::reinterpret_steal<py::object>(PyUnicode_DecodeUTF8(
-        message.data(), static_cast<Py_ssize_t>(message.size()), "surrogateescape"));
-    const py::object error = type(text, nameOf(kind), static_cast<int>(kind));
+    const py::object error = type(textOf(message), nameOf(kind), static_cast<int>(kind));
     PyErr_SetObject(type.ptr(), error.ptr());
 }
 

@@ -38,6 +38,15 @@ std::pair<std::deque<std::pair<double, std::string>>, bool> wait(Told& told)
 
 } // namespace
 
+py::object textOf(const std::string& text)
+{
+    PyObject* const decoded =
+        PyUnicode_DecodeUTF8(text.data(), static_cast<Py_ssize_t>(text.size()), "surrogateescape");
+    if (decoded == nullptr)
+        throw py::error_already_set();
+    return py::reinterpret_steal<py::object>(decoded);
+}
+
 void work(const py::object& callback, const std::function<void(Progress&)>& task)
 {
     Told told;
@@ -89,10 +98,13 @@ void work(const py::object& callback, const std::function<void(Progress&)>& task
 
 void issueWarnings(const Diagnostics& diagnostics)
 {
+    if (diagnostics.warnings().empty())
+        return;
+    constexpr int ofCaller = 2; // the line that calls the module
     const py::object category = py::module_::import("sward._errors").attr("Warning");
+    const py::object warn = py::module_::import("warnings").attr("warn");
     for (const std::string& text : diagnostics.warnings())
-        if (PyErr_WarnEx(category.ptr(), text.c_str(), 2) != 0)
-            throw py::error_already_set();
+        warn(textOf(text), category, ofCaller);
 }
 
 } // namespace sward::python

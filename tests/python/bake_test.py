@@ -27,8 +27,8 @@ class SameBytesAsTheProgram(PythonCase):
         self.assert_same(sward.bake("hills", count=3000, seed=7), "hills", "--count", 3000, "--seed", 7)
 
     def test_options_of_every_kind(self):
-        field = sward.bake("hills", density=3, slope=(0, 40, 5), altitude=(None, 6), meadow="hay", sampling="poisson",
-                           set={"clump_size_m": 0.5, "species.0.share": 0.3}, sky_rays=4, align="blend:0.3")
+        field = sward.bake("hills", density=numpy.array(3), slope=(0, 40, 5), altitude=(None, 6), meadow="hay", sampling="poisson",
+                           set={"clump_size_m": numpy.float32(0.5), "species.0.share": 0.3}, sky_rays=4, align="blend:0.3")
         self.assert_same(field, "hills", "--density", 3, "--slope", "0:40~5", "--altitude", ":6", "--meadow", "hay",
                          "--sampling", "poisson", "--set", "clump_size_m=0.5", "--set", "species.0.share=0.3",
                          "--sky-rays", 4, "--align", "blend:0.3")
@@ -73,6 +73,12 @@ class SameBytesAsTheProgram(PythonCase):
         field = sward.bake("hills", seeds="always", budget=2000)
         self.assert_same(field, "hills", "--seeds", "always", "--budget", 2000)
         self.assertTrue(field.has_seeds)
+        with self.assertRaisesRegex(TypeError, r"around is \(X, Y, Z, R\), 4 numbers, not \(0, 0\)"):
+            field.grow(around=(0, 0))
+        with self.assertRaisesRegex(TypeError, r"region is \(\(X0, X1\), \(Z0, Z1\)\)"):
+            field.grow(region=(0, 0, 8, 8))
+        self.assertEqual(self.bytes_of(field.grow(region=((0, 2), numpy.array([1, 3])))),
+                         self.bytes_of(field.grow(region="0:2,1:3")))
         near = field.grow(around=(0, 0, 0, 2))
         self.program("grow", "program.sward", "--around", "0,0,0,2", "-o", "near.sward")
         self.assertEqual(self.bytes_of(near), (self.folder / "near.sward").read_bytes())
@@ -177,6 +183,12 @@ class Errors(PythonCase):
             sward.bake("hills", force="yes")
         with self.assertRaisesRegex(TypeError, "seed is a value"):
             sward.bake("hills", seed=True)
+        with self.assertRaisesRegex(TypeError, "progress is 3; a function"):
+            sward.bake("hills", progress=3)
+        with self.assertRaisesRegex(ValueError, "set: clump_size_m: nan; all numbers must be finite"):
+            sward.bake("hills", set={"clump_size_m": float("nan")})
+        with self.assertRaisesRegex(TypeError, "strokes: a list of dicts"):
+            sward.bake("hills", paint=STROKE)
 
     def test_an_existing_output_stays(self):
         path = self.folder / "there.sward"
@@ -194,6 +206,13 @@ class Errors(PythonCase):
         self.assertTrue(any("--extent" in text for text in texts), texts)
         self.assertEqual(field.report["warnings"], texts)
         self.assertTrue(all(issubclass(one.category, sward.Warning) for one in caught))
+        # One that is an error comes last: the file is there, and whole.
+        path = self.folder / "warned.sward"
+        with warnings.catch_warnings():
+            warnings.simplefilter("error")
+            with self.assertRaises(sward.Warning):
+                sward.bake(hills(), count=100, output=path)
+        self.assertEqual(path.read_bytes(), self.bytes_of(field))
 
 
 class EveryOption(PythonCase):

@@ -4,12 +4,13 @@ from __future__ import annotations
 
 import difflib
 import inspect
-import json
 import os
 import re
 from typing import Any, Mapping, Sequence, Union
 
 import numpy
+
+from ._texts import json_text
 
 # A value of an option: a number, a text as on the command line, a path, or two or three numbers for a range.
 Value = Union[str, float, os.PathLike[str], Sequence[Any], None]
@@ -34,6 +35,8 @@ class Option:
 
     def arguments(self, value: Any) -> list:
         """What stands on a command line for this value."""
+        if isinstance(value, numpy.ndarray) and value.ndim == 0:
+            value = value[()]
         if self.is_flag:
             if not isinstance(value, (bool, numpy.bool_)):
                 raise TypeError(f"{self.key} is True or False, not {value!r}")
@@ -44,7 +47,7 @@ class Option:
                 raise TypeError(f"{self.key} is two numbers ({self.value}), not {value!r}")
             return [self.option, *(text_of(self.key, one) for one in pair)]
         if isinstance(value, Mapping):
-            return [f"{self.option}={key}={text if isinstance(text, str) else json.dumps(text)}"
+            return [f"{self.option}={key}={text if isinstance(text, str) else json_text(f'{self.key}: {key}', text)}"
                     for key, text in value.items()]
         if self.repeats and isinstance(value, (list, tuple, set, frozenset)):
             return [f"{self.option}={text_of(self.key, one)}" for one in value]
@@ -68,7 +71,18 @@ def text_of(key: str, value: Any) -> str:
 
 
 def range_text(key: str, form: str, value: Sequence[Any]) -> str:
-    """(0, 45) as 0:45, (0, 45, 10) as 0:45~10, (1280, 720) as 1280x720, (x, y, z) as x,y,z; None is an open end."""
+    """(0, 45) as 0:45, (0, 45, 10) as 0:45~10, (1280, 720) as 1280x720, (x, y, z) as x,y,z, ((0, 8), (2, 4)) as
+    0:8,2:4; None is an open end.
+    """
+    if ":" in form and "," in form:
+        parts = form.split(",")
+        if len(value) != len(parts) or not all(isinstance(one, (list, tuple, numpy.ndarray)) and numpy.shape(one) == (2,)
+                                               for one in value):
+            example = ", ".join(f"({part.replace(':', ', ')})" for part in parts)
+            raise TypeError(f"{key} is ({example}), or the text {form}, not {value!r}")
+        return ",".join(range_text(key, "MIN:MAX", one) for one in value)
+    if re.fullmatch(r"[A-Z](,[A-Z])+", form) and len(value) != len(form.split(",")):
+        raise TypeError(f"{key} is ({form.replace(',', ', ')}), {len(form.split(','))} numbers, not {value!r}")
     texts = ["" if one is None else text_of(key, one) for one in value]
     if re.fullmatch(r"[A-Z]x[A-Z]", form) and len(texts) == 2:
         return "x".join(texts)

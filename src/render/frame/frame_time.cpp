@@ -9,7 +9,7 @@ namespace sward::render {
 
 void requireValidTime(double time)
 {
-    requireUsage(std::isfinite(time), "the time of a frame is not finite");
+    // Of NaN no comparison holds.
     requireUsage(std::abs(time) <= longestTime, "the time of a frame is {} s, beyond ±{:.0f} s",
                  time, longestTime);
 }

@@ -36,6 +36,10 @@ void FieldRenderer::Parts::checkLayers(const Target& target) const
 {
     if (target.layers == 0)
         return;
+    if (geometry != Geometry::raster && settings.geometry == Geometry::tessellation)
+        fail(
+            ErrorKind::usage,
+            "layers need blades that compute shaders draw, and geometry tessellation is asked for");
     if (geometry != Geometry::raster)
         fail(ErrorKind::unsupported,
              "layers need blades that compute shaders draw, and {} draws them by the tessellator",
