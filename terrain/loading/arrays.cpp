@@ -11,10 +11,14 @@
 #include <glm/geometric.hpp>
 
 #include <algorithm>
+#include <cmath>
+#include <cstddef>
 #include <utility>
 
 namespace sward::terrain {
 namespace {
+
+constexpr float farthestHeight = 1e6f; // [m] above or below 0, of heights
 
 void requirePerVertex(std::size_t count, std::size_t vertices, const std::string& what,
                       const std::string& name)
@@ -98,7 +102,11 @@ GroundMesh load(HeightArray&& heights, const std::string& name, const ImportSett
     samples.size = heights.size;
     samples.values = std::move(heights.values);
     samples.isMetric = true;
-    dropNoData(samples, name, diagnostics);
+    for (std::size_t i = 0; i < samples.values.size(); ++i)
+        if (std::fabs(samples.values[i]) > farthestHeight)
+            fail(ErrorKind::input,
+                 "{}: {} m at row {}, column {}; heights are within ±{} m, or NaN", name,
+                 samples.values[i], i / samples.size.x, i % samples.size.x, farthestHeight);
     GroundMesh ground = groundOf(std::move(samples), settings.heightmap, name, diagnostics);
     ground.nodes[0] = name;
     ground.attributes.addGeneratedGaps(settings.masks, ground.triangles.size(), name);

@@ -22,14 +22,17 @@ struct MeshArrays {
     bool isSingle = false;                   ///< the vertices come from single precision
 };
 
-/// Heights that a caller has in memory: as a heightmap of the same samples.
+/// Heights that a caller has in memory: as a heightmap of the same samples, but NaN alone is no
+/// ground. Values that mean no data in files, such as -9999, are heights here.
 struct HeightArray {
-    glm::uvec2 size{0U};       ///< samples along x and z, 2 or more each
-    std::vector<float> values; ///< [m], row by row from −z, along x first; NaN: no ground
+    glm::uvec2 size{0U}; ///< samples along x and z, 2 or more each
+    std::vector<float>
+        values; ///< [m] within ±1e6, row by row from −z, along x first; NaN: no ground
 };
 
 /// Ground of arrays: what load() makes of a file with the same content (.ply; .r32 with
-/// --size). `name` stands for the file in messages. Throws Error{usage, input} as load() does.
+/// --size). `name` stands for the file in messages. Throws Error{usage, input} as load() does, and
+/// Error{input} for heights out of their range.
 GroundMesh load(MeshArrays&& mesh, const std::string& name, const ImportSettings& settings,
                 Diagnostics& diagnostics);
 GroundMesh load(HeightArray&& heights, const std::string& name, const ImportSettings& settings,

@@ -4,6 +4,7 @@ import unittest
 
 import numpy
 import sward
+from sward._arrays import mask_of
 
 from case import PythonCase, grid, hills
 
@@ -58,6 +59,18 @@ class NoHeight(PythonCase):
         blades = sward.bake(heights, extent=(32, 32), count=500, no_data=-7).blades()
         self.assertGreaterEqual(blades["root"][:, 0].min(), -0.01)
 
+    def test_may_be_masked(self):
+        heights = hills()
+        masked = numpy.ma.masked_array(heights, mask=heights > 2)
+        fields = [sward.bake(ground, extent=(32, 24), count=300) for ground in (masked, numpy.where(heights > 2, numpy.nan, heights))]
+        self.assertEqual(self.bytes_of(fields[0]), self.bytes_of(fields[1]))
+        self.assertTrue(sward.bake(masked.astype(int), extent=(32, 24), count=10))
+
+    def test_is_no_number_of_an_array(self):
+        for height in (-9999, -32768, 0):
+            blades = sward.bake(numpy.full((5, 5), float(height)), extent=(4, 4), count=20).blades()
+            numpy.testing.assert_allclose(blades["root"][:, 1], height, atol=0.01)
+
     def test_everywhere_is_an_error(self):
         with self.assertRaises(sward.Error) as raised:
             sward.bake(numpy.full((9, 9), numpy.nan), extent=(8, 8), count=10)
@@ -81,7 +94,14 @@ class RefusedGround(PythonCase):
         self.refused(TypeError, "heights: ", [[1, 2], [3]])
         self.refused(TypeError, "the ground is a path", None)
         self.refused(TypeError, "the ground is a path", {"heights": 1})
-        self.refused(sward.Error, "heights: no ground", numpy.full((9, 9), 5e6), extent=(8, 8))
+        self.refused(TypeError, "a mesh is a tuple", list(grid()))
+        self.refused(TypeError, "lists ndarray beside a path", ["hills", numpy.zeros((9, 9))])
+        self.refused(ValueError, "empty path", "")
+        for number in (numpy.inf, -numpy.inf, 1e300, -5e6):
+            bad = numpy.zeros((9, 9))
+            bad[2, 7] = number
+            self.refused(ValueError, rf"heights: {number} at \[2, 7\]; from -1000000 to 1000000 m".replace("+", r"\+"), bad)
+        self.refused(ValueError, r"heights: inf at \[0, 1\]", numpy.array([[0, numpy.inf], [1, 2]], numpy.float16))
         self.refused(sward.Error, "--height 0:10000000 is not a range", numpy.zeros((9, 9)), height=(0, 1e7))
 
     def test_vertices(self):
@@ -120,10 +140,32 @@ class RefusedGround(PythonCase):
             sward.Mesh(vertices, triangles, attributes={"wet": numpy.ones(81)})
         with self.assertRaisesRegex(ValueError, r"attributes\['_WET'\]: has shape \(80, 1\)"):
             sward.Mesh(vertices, triangles, attributes={"_WET": numpy.ones(80)})
+        with self.assertRaisesRegex(ValueError, r"attributes\['_WET'\]: 1e\+300 at \[7, 0\] is too large"):
+            sward.Mesh(vertices, triangles, attributes={"_WET": numpy.where(numpy.arange(81) == 7, 1e300, 0)})
+        with self.assertRaisesRegex(TypeError, "vertices: is a masked array"):
+            sward.Mesh(numpy.ma.masked_array(vertices, mask=vertices > 7), triangles)
         with self.assertRaisesRegex(ValueError, "uvs: "):
             sward.Mesh(vertices, triangles, uvs=numpy.full((81, 2), numpy.nan))
         self.refused(sward.Error, "mesh: material .* has no vertex attribute _DRY", (vertices, triangles),
                      mask="vertex-color:_DRY")
+
+
+class Words(unittest.TestCase):
+    """What masks become: words of 16 bits."""
+
+    def test_of_any_byte_order(self):
+        words = numpy.array([[0, 258, 65535]], numpy.uint16)
+        for form in ("<u2", ">u2"):
+            self.assertEqual(mask_of("mask", words.astype(form)).tolist(), words.tolist())
+
+    def test_of_floats_of_any_size(self):
+        for form in ("f2", "f4", "f8", ">f8", "longdouble"):
+            self.assertEqual(mask_of("mask", numpy.array([[1, 0.5, 0.25, 0]], form)).tolist(), [[65535, 32768, 16384, 0]])
+
+    def test_of_what_is_masked(self):
+        for numbers in (numpy.ones((1, 2)), numpy.ones((1, 2), bool), numpy.full((1, 2), 255, numpy.uint8)):
+            masked = numpy.ma.masked_array(numbers, mask=[[True, False]])
+            self.assertEqual(mask_of("mask", masked).tolist(), [[0, 65535]])
 
 
 class RefusedMasks(PythonCase):

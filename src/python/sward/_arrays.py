@@ -2,16 +2,17 @@
 
 from __future__ import annotations
 
-import json
 import os
-from typing import Any, Mapping, Optional, Sequence, Union
+from typing import Any, Iterable, Mapping, Optional, Sequence, Union
 
 import numpy
 import numpy.typing
 
 from . import _native
+from ._texts import json_text
 
 MAX_SIDE = 32768  # samples of heights or a mask on a side
+HIGHEST = 1e6  # [m] above or below 0, of heights
 
 
 class Mesh:
@@ -44,8 +45,16 @@ class Mesh:
         self.name = str(name)
 
 
-def array_of(name: str, value: Any) -> numpy.ndarray:
-    """The value as an array of numbers. TypeError for objects, texts and complex numbers."""
+def array_of(name: str, value: Any, hole: Optional[float] = None) -> numpy.ndarray:
+    """The value as an array of numbers. TypeError for objects, texts and complex numbers. `hole` takes the place of
+    masked numbers; without it they are a TypeError.
+    """
+    if numpy.ma.is_masked(value):
+        if hole is None:
+            raise TypeError(f"{name}: is a masked array with masked numbers")
+        if value.dtype.kind in "biu" and numpy.isnan(hole):
+            value = value.astype(numpy.float64)
+        value = value.filled(hole)
     try:
         array = numpy.asarray(value)
     except ValueError as reason:
@@ -57,8 +66,8 @@ def array_of(name: str, value: Any) -> numpy.ndarray:
     return array
 
 
-def real(name: str, value: Any) -> numpy.ndarray:
-    array = array_of(name, value)
+def real(name: str, value: Any, hole: Optional[float] = None) -> numpy.ndarray:
+    array = array_of(name, value, hole)
     if array.dtype.kind == "b":
         raise TypeError(f"{name}: has dtype bool; real numbers are needed")
     return array
@@ -95,7 +104,12 @@ def per_vertex(name: str, value: Any, vertices: int, low: int, high: int) -> num
     columns = f"{low}" if low == high else f"{low} to {high}"
     shape(name, array, f"({vertices}, {columns})", vertices, low, high)
     finite(name, array)
-    return numpy.ascontiguousarray(array, numpy.float32)
+    with numpy.errstate(over="ignore"):
+        single = numpy.ascontiguousarray(array, numpy.float32)
+    if not numpy.isfinite(single).all():
+        place = tuple(int(i) for i in numpy.argwhere(~numpy.isfinite(single))[0])
+        raise ValueError(f"{name}: {array[place]} at {list(place)} is too large for single precision, {3.4e38}")
+    return single
 
 
 def colors_of(value: Any, vertices: int) -> numpy.ndarray:
@@ -114,9 +128,14 @@ def colors_of(value: Any, vertices: int) -> numpy.ndarray:
 
 
 def heights_of(value: Any) -> numpy.ndarray:
-    """(z, x) heights as contiguous float32; NaN stays."""
-    array = real("heights", value)
+    """(z, x) heights as contiguous float32; NaN stays, and what is masked becomes NaN."""
+    array = real("heights", value, numpy.nan)
     sides("heights", array, 2)
+    wide = array.astype(numpy.float32) if array.dtype == numpy.float16 else array  # halves cannot hold the bound
+    outside = (wide > HIGHEST) | (wide < -HIGHEST)
+    if outside.any():
+        place = tuple(int(i) for i in numpy.argwhere(outside)[0])
+        raise ValueError(f"heights: {array[place]} at {list(place)}; from {-HIGHEST:.0f} to {HIGHEST:.0f} m, or NaN for a hole")
     return numpy.ascontiguousarray(array, numpy.float32)
 
 
@@ -126,12 +145,14 @@ def sides(name: str, array: numpy.ndarray, least: int) -> None:
 
 
 def mask_of(name: str, value: Any) -> numpy.ndarray:
-    """(v, u) shares of the density as words of 16 bits: bool, uint8 and uint16 over their range, floats in [0, 1]."""
-    array = array_of(name, value)
+    """(v, u) shares of the density as words of 16 bits: bool, uint8 and uint16 over their range, floats in [0, 1]. What
+    is masked becomes 0.
+    """
+    array = array_of(name, value, 0)
     sides(name, array, 1)
     finite(name, array)
-    if array.dtype == numpy.uint16:
-        return numpy.ascontiguousarray(array)
+    if array.dtype.kind == "u" and array.dtype.itemsize == 2:
+        return numpy.ascontiguousarray(array, numpy.uint16)
     if array.dtype.kind == "b":
         return numpy.where(array, numpy.uint16(65535), numpy.uint16(0))
     if array.dtype == numpy.uint8:
@@ -140,7 +161,8 @@ def mask_of(name: str, value: Any) -> numpy.ndarray:
         raise TypeError(f"{name}: has dtype {array.dtype}; bool, uint8, uint16, or floats in [0, 1] are needed")
     if array.min() < 0 or array.max() > 1:
         raise ValueError(f"{name}: from {array.min()} to {array.max()}; floats are in [0, 1]")
-    return numpy.ascontiguousarray(numpy.floor(array * 65535 + 0.5), numpy.uint16)
+    # In double precision: halves cannot hold 65535.
+    return numpy.ascontiguousarray(numpy.floor(array.astype(numpy.float64) * 65535 + 0.5), numpy.uint16)
 
 
 # What a bake grows on: a file or a built-in, several of them, heights, or a mesh.
@@ -149,11 +171,15 @@ Ground = Union[str, os.PathLike[str], Sequence[Any], numpy.ndarray, Mesh]
 
 def paths_of(ground: Any) -> Optional[list]:
     """Files or built-ins; None if the ground is arrays."""
-    if isinstance(ground, (str, os.PathLike)):
-        return [os.fspath(ground)]
-    if isinstance(ground, (list, tuple)) and ground and all(isinstance(one, (str, os.PathLike)) for one in ground):
-        return [os.fspath(one) for one in ground]
-    return None
+    paths = [ground] if isinstance(ground, (str, os.PathLike)) else ground
+    if not isinstance(paths, (list, tuple)) or not any(isinstance(one, (str, os.PathLike)) for one in paths):
+        return None
+    for one in paths:
+        if not isinstance(one, (str, os.PathLike)):
+            raise TypeError(f"the ground lists {type(one).__name__} beside a path; several grounds are all paths")
+        if not os.fspath(one):
+            raise ValueError("the ground is an empty path")
+    return [os.fspath(one) for one in paths]
 
 
 def put_ground(inputs: Any, ground: Any) -> None:
@@ -164,25 +190,18 @@ def put_ground(inputs: Any, ground: Any) -> None:
         inputs.set_mesh(ground.name, ground.vertices, ground.triangles, ground.colors, ground.uvs,
                         ground.attributes, ground.is_single)
         return
-    if ground is None or isinstance(ground, (bytes, dict)):
+    if ground is None or isinstance(ground, (bytes, str, os.PathLike, Mapping)):
         raise TypeError(f"the ground is a path, a Mesh, (vertices, triangles), or heights, not {type(ground).__name__}")
+    if isinstance(ground, list) and any(numpy.ndim(one) > 1 for one in ground if isinstance(one, numpy.ndarray)):
+        raise TypeError("the ground is a list of arrays; a mesh is a tuple (vertices, triangles), or a sward.Mesh")
     inputs.set_heights("heights", heights_of(ground))
 
 
 def strokes_text(strokes: Any) -> str:
     """The text of a stroke file, from a list of dicts as in such a file (docs/painting.md)."""
-    return json.dumps({"format": "sward strokes 1", "strokes": list(strokes)}, default=plain)
-
-
-def plain(value: Any) -> Any:
-    """numpy's numbers and arrays for json.dumps()."""
-    if isinstance(value, numpy.ndarray):
-        return value.tolist()
-    if isinstance(value, numpy.generic):
-        return value.item()
-    if isinstance(value, os.PathLike):
-        return os.fspath(value)
-    raise TypeError(f"{type(value).__name__} is no value of JSON")
+    if isinstance(strokes, (str, bytes, Mapping)) or not isinstance(strokes, Iterable):
+        raise TypeError(f"strokes: a list of dicts is needed, not {type(strokes).__name__}")
+    return json_text("strokes", {"format": "sward strokes 1", "strokes": list(strokes)})
 
 
 def inputs_of(ground: Any, values: dict) -> tuple:
@@ -199,8 +218,8 @@ def inputs_of(ground: Any, values: dict) -> tuple:
         for number, array in enumerate(arrays):
             name = f"mask {number}" if len(arrays) > 1 else "mask"
             inputs.add_mask(name, mask_of(name, array), False)
-    if isinstance(values.get("paint"), (list, tuple)):
+    if values.get("paint") is not None and not isinstance(values["paint"], (str, os.PathLike)):
         inputs.set_strokes(strokes_text(values.pop("paint")))
     if isinstance(values.get("meadow"), Mapping):
-        inputs.set_meadow(json.dumps(values.pop("meadow"), default=plain))
+        inputs.set_meadow(json_text("meadow", values.pop("meadow")))
     return inputs, ["--", *(paths or [])]
