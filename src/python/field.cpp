@@ -6,6 +6,7 @@
 #include "apps/sward/options/growth_options.h"
 #include "apps/sward/text/info_text.h"
 #include "core/error.h"
+#include "core/files/atomic_file.h"
 #include "core/files/mapped_file.h"
 #include "field/inspect.h"
 #include "field/measure/distributions.h"
@@ -20,7 +21,11 @@
 #include <CLI/CLI.hpp>
 #include <pybind11/stl.h>
 
+#include <cstddef>
+#include <limits>
 #include <optional>
+#include <span>
+#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -34,11 +39,25 @@ std::uint64_t bytesOf(const std::filesystem::path& path)
     return std::filesystem::file_size(path);
 }
 
-// Maps a field. The messages are those of the programs.
-std::shared_ptr<Field> readField(const std::string& path)
+// Maps a field, or copies its file into memory. The messages are those of the programs.
+std::shared_ptr<Field> readField(const std::string& path, bool copies)
 {
     apps::requireField(path);
+    if (copies)
+        return std::make_shared<Field>(readFile(path, std::numeric_limits<std::size_t>::max()),
+                                       path);
     return std::make_shared<Field>(path);
+}
+
+// A field in memory from the bytes of its file.
+std::shared_ptr<Field> fieldOf(const py::bytes& file, std::string name, std::string report)
+{
+    const std::string_view text = file;
+    const auto bytes = std::as_bytes(std::span(text));
+    auto field = std::make_shared<Field>(std::vector<std::byte>(bytes.begin(), bytes.end()),
+                                         std::move(name));
+    field->report = std::move(report);
+    return field;
 }
 
 std::string infoOf(const Field& field, bool withHistograms)
@@ -152,6 +171,14 @@ Field::Field(const std::filesystem::path& path)
 {
 }
 
+Field::Field(std::vector<std::byte>&& file, std::string name)
+    : name_(std::move(name))
+    , file_(std::move(file))
+    , bytes_(file_.size())
+    , owned_(field::readField(std::span<const std::byte>(file_), name_))
+{
+}
+
 Field::Field(field::Field&& field, std::string name, std::string bakeReport)
     : report(std::move(bakeReport))
     , name_(std::move(name))
@@ -163,16 +190,22 @@ Field::Field(field::Field&& field, std::string name, std::string bakeReport)
 
 void Field::save(const std::filesystem::path& path, bool overwrite) const
 {
-    field::writeField(*memory_, path, overwrite);
+    if (memory_ != nullptr) {
+        field::writeField(*memory_, path, overwrite);
+        return;
+    }
+    AtomicFile out(path, overwrite);
+    out.write(std::span<const std::byte>(file_));
+    out.commit();
 }
 
 void addField(py::module_& module)
 {
     py::class_<Field, std::shared_ptr<Field>>(module, "Field")
-        .def_property_readonly("name", &Field::name)
+        .def_property_readonly("name", [](const Field& field) { return py::bytes(field.name()); })
         .def_property_readonly("is_mapped", &Field::isMapped)
         .def_property_readonly("file_bytes", &Field::bytes)
-        .def_property_readonly("report", [](const Field& field) { return field.report; })
+        .def_readwrite("report", &Field::report)
         .def_property_readonly("provenance",
                                [](const Field& field) { return *field.view().provenance; })
         .def_property_readonly("copyright",
@@ -210,11 +243,12 @@ void addField(py::module_& module)
     module.def("packed", packedBlades);
     module.def("patches", patches);
     module.def("keys", keys);
-    module.def("read", [](const std::string& path) {
+    module.def("read", [](const std::string& path, bool copies) {
         std::shared_ptr<Field> field;
-        work(py::none(), [&](Progress&) { field = readField(path); });
+        work(py::none(), [&](Progress&) { field = readField(path, copies); });
         return field;
     });
+    module.def("from_bytes", fieldOf);
     module.def("compare", compareFields);
 }
 

@@ -5,10 +5,12 @@
 
 #include <pybind11/pybind11.h>
 
+#include <cstddef>
 #include <cstdint>
 #include <filesystem>
 #include <memory>
 #include <string>
+#include <vector>
 
 namespace sward::python {
 
@@ -19,23 +21,27 @@ public:
     /// Maps and verifies a file. Throws as field::readField() does.
     explicit Field(const std::filesystem::path& path);
 
+    /// The bytes of a file in memory, verified. Throws as field::readField() does.
+    Field(std::vector<std::byte>&& file, std::string name);
+
     /// A field in memory. `report`: of its bake, as JSON, or empty.
     Field(field::Field&& field, std::string name, std::string report = {});
 
     const field::FieldView& view() const { return owned_.view(); }
     const field::OwnedField& owned() const { return owned_; }
     const std::string& name() const { return name_; } ///< in messages: the file
-    bool isMapped() const { return memory_ == nullptr; }
+    bool isMapped() const { return memory_ == nullptr && file_.empty(); }
     std::uint64_t bytes() const { return bytes_; } ///< of the file that it is, or would be
 
     std::string report; ///< of the bake that made it, as JSON; empty if it was read
 
-    /// Writes the field as a file. Throws as field::writeField() does.
+    /// Writes the field, in memory, as a file. Throws as field::writeField() does.
     void save(const std::filesystem::path& path, bool overwrite) const;
 
 private:
     std::string name_;
-    std::shared_ptr<const field::Field> memory_; ///< null: mapped
+    std::shared_ptr<const field::Field> memory_; ///< of a bake; else null
+    std::vector<std::byte> file_;                ///< of a file that was read; else empty
     std::uint64_t bytes_ = 0;
     field::OwnedField owned_;
 };

@@ -135,71 +135,94 @@ void requireRange(const Field& field, std::uint64_t first, std::uint64_t count)
                  first + count, blades);
 }
 
-// Calls use(patch, place in the patch, blade) for blades `first` to `first + count`, in order.
-template <typename Use>
-void eachBlade(const field::FieldView& view, std::uint64_t first, std::uint64_t count, Use use)
+[[noreturn]] void failChanged(const Field& field)
 {
+    fail(ErrorKind::input,
+         "{}: is damaged: its file has been changed in place since it was read and verified",
+         field.name());
+}
+
+// Calls use(number of the patch, patch, index, blade) for blades `first` to `first + count`, in
+// order. Patches and blades are copies with valid indices: the file's pages are read once.
+template <typename Use>
+void eachBlade(const Field& field, std::uint64_t first, std::uint64_t count, Use use)
+{
+    const field::FieldView& view = field.view();
+    std::uint64_t next = first;
     for (std::uint32_t p = 0; p < view.patches.size(); ++p) {
-        const shared::Patch& patch = view.patches[p];
+        const shared::Patch patch = view.patches[p];
         const std::uint64_t begin = std::max<std::uint64_t>(first, patch.firstBlade);
         const std::uint64_t end = std::min<std::uint64_t>(
             first + count, std::uint64_t(patch.firstBlade) + patch.bladeCount);
-        for (std::uint64_t i = begin; i < end; ++i)
-            use(p, i, shared::unpackBlade(view.blades[i], patch));
+        if (begin >= end)
+            continue;
+        if (begin != next)
+            failChanged(field);
+        for (std::uint64_t i = begin; i < end; ++i) {
+            const shared::Blade blade = shared::unpackBlade(view.blades[i], patch);
+            if (blade.species >= view.species.size())
+                failChanged(field);
+            use(p, patch, i, blade);
+        }
+        next = end;
     }
+    if (next != first + count)
+        failChanged(field);
 }
 
-void fill(UnpackedBlade& out, const field::FieldView& view, std::uint32_t p, std::uint64_t index,
-          const shared::Blade& blade)
+UnpackedBlade unpacked(const field::FieldView& view, std::uint32_t p, const shared::Patch& patch,
+                       std::uint64_t index, const shared::Blade& blade)
 {
-    const shared::Patch& patch = view.patches[p];
     const glm::dvec3 root = view.origin + glm::dvec3(blade.root);
-    const field::BladePart part = field::partOf(view.species[blade.species], blade);
+    const field::Species& species = view.species[blade.species];
+    const field::BladePart part = field::partOf(species, blade);
     const float place = (float(index - patch.firstBlade) + 0.5f) / float(patch.bladeCount);
-    out = {.id = view.idOf(index),
-           .root = {root.x, root.y, root.z},
-           .up = {blade.up.x, blade.up.y, blade.up.z},
-           .facing = blade.facing,
-           .height = blade.height,
-           .width = blade.width,
-           .stiffness = blade.stiffness,
-           .exposure = blade.exposure,
-           .tint = {blade.tint.x, blade.tint.y, blade.tint.z},
-           .area = part.length * blade.width *
-                   shared::outlineArea(part.look->shape, part.look->tipThreshold),
-           .rank = patch.rankLow + (patch.rankHigh - patch.rankLow) * place,
-           .patch = p,
-           .species = static_cast<std::uint8_t>(blade.species),
-           .clump = static_cast<std::uint8_t>(blade.clump),
-           .ribbon = view.isRibbon(index),
-           .pad = {}};
+    return {.id = view.idOf(index),
+            .root = {root.x, root.y, root.z},
+            .up = {blade.up.x, blade.up.y, blade.up.z},
+            .facing = blade.facing,
+            .height = blade.height,
+            .width = blade.width,
+            .stiffness = blade.stiffness,
+            .exposure = blade.exposure,
+            .tint = {blade.tint.x, blade.tint.y, blade.tint.z},
+            .area = part.length * blade.width *
+                    shared::outlineArea(part.look->shape, part.look->tipThreshold),
+            .rank = patch.rankLow + (patch.rankHigh - patch.rankLow) * place,
+            .patch = p,
+            .species = static_cast<std::uint8_t>(blade.species),
+            .clump = static_cast<std::uint8_t>(blade.clump),
+            .ribbon = shared::ribbonNumber(species.look, blade) > 0U,
+            .pad = {}};
 }
 
 // Both touch no Python object and release the interpreter's lock.
-void unpack(const field::FieldView& view, std::uint64_t first, std::uint64_t count,
-            UnpackedBlade* out)
+void unpack(const Field& field, std::uint64_t first, std::uint64_t count, UnpackedBlade* out)
 {
     const py::gil_scoped_release released;
-    eachBlade(view, first, count,
-              [&](std::uint32_t patch, std::uint64_t index, const shared::Blade& blade) {
-                  fill(out[index - first], view, patch, index, blade);
+    eachBlade(field, first, count,
+              [&](std::uint32_t p, const shared::Patch& patch, std::uint64_t index,
+                  const shared::Blade& blade) {
+                  out[index - first] = unpacked(field.view(), p, patch, index, blade);
               });
 }
 
-void pose(const field::FieldView& view, std::uint64_t first, std::uint64_t count, double* out)
+void pose(const Field& field, std::uint64_t first, std::uint64_t count, double* out)
 {
     const py::gil_scoped_release released;
+    const field::FieldView& view = field.view();
     const std::vector<shared::Organ> organs = field::organTable(view.species);
     const shared::Environment calm = field::calmOf(view);
-    eachBlade(view, first, count,
-              [&](std::uint32_t, std::uint64_t index, const shared::Blade& blade) {
-                  const shared::PosedBlade posed =
-                      field::restingBlade(view, field::viewOf(organs), calm, blade);
-                  double* to = out + 9 * (index - first);
-                  for (const glm::vec3& point : {posed.v0, posed.v1, posed.v2})
-                      for (glm::length_t axis = 0; axis < 3; ++axis)
-                          *to++ = view.origin[axis] + double(point[axis]);
-              });
+    eachBlade(
+        field, first, count,
+        [&](std::uint32_t, const shared::Patch&, std::uint64_t index, const shared::Blade& blade) {
+            const shared::PosedBlade posed =
+                field::restingBlade(view, field::viewOf(organs), calm, blade);
+            double* to = out + 9 * (index - first);
+            for (const glm::vec3& point : {posed.v0, posed.v1, posed.v2})
+                for (glm::length_t axis = 0; axis < 3; ++axis)
+                    *to++ = view.origin[axis] + double(point[axis]);
+        });
 }
 
 } // namespace
@@ -223,7 +246,7 @@ py::object unpackedBlades(const Field& field, std::uint64_t first, std::uint64_t
 {
     requireRange(field, first, count);
     py::array array(bladeType(), py::array::ShapeContainer{static_cast<py::ssize_t>(count)});
-    unpack(field.view(), first, count, static_cast<UnpackedBlade*>(array.mutable_data()));
+    unpack(field, first, count, static_cast<UnpackedBlade*>(array.mutable_data()));
     return array;
 }
 
@@ -231,7 +254,7 @@ py::object restingCurves(const Field& field, std::uint64_t first, std::uint64_t 
 {
     requireRange(field, first, count);
     py::array_t<double> array({static_cast<py::ssize_t>(count), py::ssize_t(3), py::ssize_t(3)});
-    pose(field.view(), first, count, array.mutable_data());
+    pose(field, first, count, array.mutable_data());
     return array;
 }
 

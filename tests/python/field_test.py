@@ -1,8 +1,10 @@
 """sward.Field: views without copies, unpacked blades, what is told of it; compare, validate, export."""
 
+import copy
 import csv
 import gc
 import json
+import os
 import pickle
 import unittest
 
@@ -67,6 +69,100 @@ class Views(PythonCase):
         self.assertTrue((packed == expected).all())
 
 
+class ChangedFiles(PythonCase):
+    def setUp(self):
+        super().setUp()
+        self.path = self.folder / "plane.sward"
+        self.baked = sward.bake("plane", count=300, meadow="hay")
+        self.baked.save(self.path)
+        self.data = self.path.read_bytes()
+
+    def assert_is_told(self, field):
+        for use in (field.blades, field.curves, field.info, lambda: field.packed, lambda: sward.compare(field, field),
+                    lambda: field.export(self.folder / "no.ply"), lambda: sward.Session("plane", field=field),
+                    lambda: sward.Renderer(field), lambda: pickle.dumps((field, field.bounds))):
+            with self.assertRaisesRegex(sward.Error, "plane.sward: has been written to in place") as raised:
+                use()
+            self.assertEqual(raised.exception.kind, "io")
+
+    def test_a_truncated_one_is_told_and_does_not_end_python(self):
+        field = sward.read(self.path)
+        os.truncate(self.path, 4096)
+        self.assert_is_told(field)
+
+    def test_so_is_one_that_is_overwritten(self):
+        field = sward.read(self.path)
+        self.path.write_bytes(self.data + b" ")
+        self.assert_is_told(field)
+
+    def test_indices_in_changed_pages_are_checked(self):
+        for number in (0, 255):
+            field = sward.read(self.path)
+            field._stamp = None  # as if the file's time had not changed
+            with open(self.path, "r+b") as file:
+                file.write(bytes([number]) * len(self.data))
+            for use in (field.blades, field.curves):
+                with self.assertRaisesRegex(sward.Error, "changed in place"):
+                    use()
+            self.path.write_bytes(self.data)
+
+    def test_one_that_is_replaced_or_deleted_stays_as_it_was(self):
+        field = sward.read(self.path)
+        other = self.folder / "other.sward"
+        sward.bake("plane", count=5).save(other)
+        other.replace(self.path)
+        self.assertTrue((field.blades() == self.baked.blades()).all())
+        self.path.unlink()
+        self.assertTrue((field.blades() == self.baked.blades()).all())
+
+    def test_a_copy_does_not_depend_on_its_file(self):
+        field = sward.read(self.path, copy=True)
+        self.assertFalse(field.is_mapped)
+        os.truncate(self.path, 10)
+        self.assertTrue((field.blades() == self.baked.blades()).all())
+        field.save(self.folder / "again.sward")
+        self.assertEqual((self.folder / "again.sward").read_bytes(), self.data)
+        with self.assertRaisesRegex(sward.Error, "plane.sward: 10 bytes"):
+            sward.read(self.path, copy=True)
+
+
+class Pickled(PythonCase):
+    def test_a_field_in_memory_is_its_bytes(self):
+        field = sward.bake("plane", count=100)
+        again = pickle.loads(pickle.dumps(field))
+        self.assertEqual(self.bytes_of(again), self.bytes_of(field))
+        self.assertEqual((again.name, again.report), (field.name, field.report))
+        self.assertEqual(self.bytes_of(pickle.loads(pickle.dumps(again))), self.bytes_of(field))
+        self.assertIs(copy.deepcopy(field), field)
+
+    def test_a_mapped_one_is_its_path_and_must_be_the_same(self):
+        path = self.folder / "plane.sward"
+        field = sward.bake("plane", count=100, output=path)
+        data = pickle.dumps(field)
+        self.assertLess(len(data), 10000)
+        again = pickle.loads(data)
+        self.assertTrue(again.is_mapped and (again.packed == field.packed).all())
+        sward.bake("plane", count=100, seed=3, output=path, force=True)
+        with self.assertRaisesRegex(sward.Error, "plane.sward: is not the field that was pickled"):
+            pickle.loads(data)
+
+
+class Names(PythonCase):
+    def test_that_are_no_utf_8(self):
+        folder = os.fsencode(self.folder)
+        field = sward.bake("plane", count=10, meadow="grass", output=os.fsdecode(folder + b"/gr\xfcn.sward"))
+        self.assertTrue(field.name.endswith("gr\udcfcn.sward"))
+        name = next(name for name in os.listdir(self.folder) if name.startswith("gr"))
+        self.assertEqual(len(sward.read(self.folder / name)), 10)
+        field.export(self.folder / name.replace(".sward", ".csv"))
+        self.assertEqual(sward.read(self.folder / name).info()["blades"], 10)
+        with self.assertRaisesRegex(sward.Error, "no\udcff.sward"):
+            sward.read("no\udcff.sward")
+        for name in ("", "a\0b"):
+            with self.assertRaises(ValueError):
+                sward.read(name)
+
+
 class Blades(PythonCase):
     def test_they_are_those_of_the_csv_export(self):
         field = sward.bake("hills", count=2000, meadow="grass")
@@ -90,8 +186,13 @@ class Blades(PythonCase):
         self.assertEqual(len(field.blades(2000)), 0)
         with self.assertRaises(sward.Error):
             field.blades(1999, 2)
+        for first, count in ((2**64, None), (1999, 2**64), (2**70, 2**70)):
+            with self.assertRaisesRegex(sward.Error, "are asked for, and it has 2000"):
+                field.blades(first, count)
         with self.assertRaises(ValueError):
             field.blades(-1)
+        with self.assertRaisesRegex(TypeError, "count is 2.0; a whole number"):
+            field.curves(1, 2.0)
 
     def test_curves_begin_at_roots_and_are_as_long_as_blades(self):
         field = sward.bake("hills", count=500, meadow="grass")
@@ -160,6 +261,10 @@ class CompareAndExport(PythonCase):
         self.assertTrue(sward.compare(first, first, transform=numpy.eye(4), match="order").same)
         with self.assertRaisesRegex(sward.Error, "transform: "):
             sward.compare(first, first, transform=numpy.diag([1, 2, 3, 1]))
+        with self.assertRaisesRegex(ValueError, r"transform\[1\]\[2\]: inf; all numbers must be finite"):
+            sward.compare(first, first, transform=[[1, 0, 0], [0, 1, numpy.inf], [0, 0, 1]])
+        with self.assertRaisesRegex(TypeError, "tolerance is 'x'; a number"):
+            sward.compare(first, first, tolerance="x")
 
     def test_exports_are_those_of_the_program(self):
         path = self.folder / "hills.sward"

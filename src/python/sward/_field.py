@@ -4,13 +4,15 @@ from __future__ import annotations
 
 import json
 import os
+import tempfile
 from typing import Any, Callable, Optional, Union
 
 import numpy
 
 from . import _native
-from ._arrays import plain
+from ._errors import Error
 from ._options import Options
+from ._texts import arguments_bytes, callback, json_text, number, path_bytes, text_of_bytes, whole
 
 GROWTH_OPTIONS = Options("grow", _native.growth_options(), {})
 
@@ -27,17 +29,46 @@ class Comparison(dict):
 class Field:
     """A baked field: a mapped file, or one in memory. sward.read() and sward.bake() make it.
 
-    Arrays over the field's memory are read-only and copied nowhere; they keep the field alive.
+    Arrays over the field's memory are read-only and copied nowhere; they keep the field alive. A mapped field pickles
+    as the path of its file, which must then hold the same field; one in memory as its bytes.
     """
 
-    def __init__(self, native: Any) -> None:
+    def __init__(self, native: Any, mark: Optional[tuple] = None) -> None:
         if not isinstance(native, _native.Field):
             raise TypeError("sward.read() and sward.bake() make fields")
-        self._native = native
+        self._held = native  # reads no page of the file by itself
+        self._path = os.path.abspath(text_of_bytes(native.name)) if native.is_mapped else ""
+        self._stamp, self._hash = mark or (mark_of(self._path) if native.is_mapped else (None, b""))
+
+    @property
+    def _native(self) -> Any:
+        """The native field. sward.Error if its file has been written to: its pages may be any bytes, or gone."""
+        if self._stamp is not None:
+            now = stamp_of(self._path)
+            if now is not None and now[:2] == self._stamp[:2] and now != self._stamp:
+                raise Error(f"{self.name}: has been written to in place since it was read; a new file must replace it "
+                            "by renaming, and read() with copy=True maps none", "io", 2)
+        return self._held
 
     def __len__(self) -> int:
         """Number of blades, the ribbons of compound plants included."""
-        return self._native.count
+        return self._held.count
+
+    def __copy__(self) -> Field:
+        return self
+
+    def __deepcopy__(self, memo: dict) -> Field:
+        return self  # it never changes
+
+    def __reduce__(self) -> tuple:
+        report = self._held.report
+        if self._stamp is not None:
+            return reopened, (self._path, self._hash, report)
+        with tempfile.TemporaryDirectory(prefix="sward-") as folder:
+            path = os.path.join(folder, "field.sward")
+            self._held.save(path_bytes(path), False)
+            with open(path, "rb") as file:
+                return unpickled, (file.read(), self._held.name, report)
 
     def __repr__(self) -> str:
         kind = "file" if self.is_mapped else "in memory"
@@ -46,37 +77,37 @@ class Field:
     @property
     def name(self) -> str:
         """The file, or what the field was baked of."""
-        return self._native.name
+        return text_of_bytes(self._held.name)
 
     @property
     def is_mapped(self) -> bool:
         """Whether the field is a mapped file."""
-        return self._native.is_mapped
+        return self._held.is_mapped
 
     @property
     def file_bytes(self) -> int:
         """Bytes of the file that the field is, or would be."""
-        return self._native.file_bytes
+        return self._held.file_bytes
 
     @property
     def report(self) -> Optional[dict]:
         """The report of the bake that made this object; None if it was read."""
-        return json.loads(self._native.report) if self._native.report else None
+        return json.loads(self._held.report) if self._held.report else None
 
     @property
     def provenance(self) -> dict:
         """Program, hash of the ground, and settings of the bake."""
-        return json.loads(self._native.provenance)
+        return json.loads(self._held.provenance)
 
     @property
     def copyright(self) -> str:
         """Of the ground's author."""
-        return self._native.copyright
+        return self._held.copyright
 
     @property
     def origin(self) -> numpy.ndarray:
         """(3,) float64 [m]: a place in the world is origin + position; a multiple of 32 m."""
-        return numpy.array(self._native.origin)
+        return numpy.array(self._held.origin)
 
     @property
     def bounds(self) -> numpy.ndarray:
@@ -87,12 +118,12 @@ class Field:
     @property
     def species(self) -> list:
         """Names of the species; Field.blades()["species"] is an index into it."""
-        return list(self._native.species)
+        return list(self._held.species)
 
     @property
     def has_seeds(self) -> bool:
         """Whether most blades are not stored but grow from seeds; see grow()."""
-        return self._native.has_seeds
+        return self._held.has_seeds
 
     @property
     def packed(self) -> numpy.ndarray:
@@ -125,9 +156,13 @@ class Field:
         return self._native.curves(*self._range(first, count))
 
     def _range(self, first: int, count: Optional[int]) -> tuple:
-        if first < 0 or (count is not None and count < 0):
+        first = whole("first", first)
+        count = max(len(self) - first, 0) if count is None else whole("count", count)
+        if first < 0 or count < 0:
             raise ValueError(f"blades {first} and {count} more: neither may be below 0")
-        return first, max(len(self) - first, 0) if count is None else count
+        if first + count > len(self):
+            raise Error(f"{self.name}: blades {first} to {first + count} are asked for, and it has {len(self)}")
+        return first, count
 
     def info(self, histograms: bool = False) -> dict:
         """What `sward info --json` prints, with `histograms` also what --histogram adds."""
@@ -135,28 +170,73 @@ class Field:
 
     def save(self, path: Union[str, os.PathLike[str]], force: bool = False) -> None:
         """Writes a field in memory as a file, whole or not at all. `force`: over an existing one."""
-        self._native.save(os.fspath(path), force)
+        self._native.save(path_bytes(path), force)
 
     def export(self, path: Union[str, os.PathLike[str]], with_ground: bool = False, force: bool = False,
                progress: Optional[Callable[[float, str], None]] = None) -> None:
         """Writes .glb, .ply, .usda or .csv, by the extension: `sward export`. `with_ground`: in a .glb."""
-        self._native.export(os.fspath(path), with_ground, force, f"sward {_native.version}", progress)
+        self._native.export(path_bytes(path), with_ground, force, f"sward {_native.version}", callback(progress))
 
     def grow(self, *, threads: int = 0, progress: Optional[Callable[[float, str], None]] = None,
              **options: Any) -> Field:
         """The field that grows from the seeds of this one, in memory: `sward grow`.
 
-        threads: 0 for one on each CPU; the field does not depend on it.
+        threads: 0 for one on each CPU; the field does not depend on it. around: (x, y, z, radius) [m]. region: ((x0, x1),
+        (z0, z1)) [m]. Both also as texts.
         """
-        return Field(self._native.grow(GROWTH_OPTIONS.arguments(options), threads, progress))
+        arguments = arguments_bytes(GROWTH_OPTIONS.arguments(options))
+        return Field(self._native.grow(arguments, whole("threads", threads), callback(progress)))
 
 
 GROWTH_OPTIONS.document(Field.grow)
 
 
-def read(path: Union[str, os.PathLike[str]]) -> Field:
-    """Maps a field file and verifies all of it, as every reader of Sward does. Raises sward.Error."""
-    return Field(_native.read(os.fspath(path)))
+def read(path: Union[str, os.PathLike[str]], *, copy: bool = False) -> Field:
+    """Maps a field file and verifies all of it, as every reader of Sward does. Raises sward.Error.
+
+    copy: reads the file into memory instead, for files that others write to in place. A mapped file must only be
+    replaced by renaming, as all programs of Sward do.
+    """
+    name = path_bytes(path)
+    mark = None if copy else mark_of(name)
+    return Field(_native.read(name, bool(copy)), mark)
+
+
+def stamp_of(path: Union[str, bytes]) -> Optional[tuple]:
+    """What tells whether a file has been written to: device and number of the file, bytes, time. None without a file."""
+    try:
+        found = os.stat(path)
+    except OSError:
+        return None
+    return found.st_dev, found.st_ino, found.st_size, found.st_mtime_ns
+
+
+def mark_of(path: Union[str, bytes]) -> tuple:
+    """(stamp, hash) of a field's file: the hash is that of the header and of the hashes of all chunks, as it stores it."""
+    try:
+        with open(path, "rb") as file:
+            return stamp_of(path), file.read(64)[56:]
+    except OSError:
+        return None, b""
+
+
+def field_of(field: Union[str, os.PathLike[str], Field]) -> Field:
+    """The field, or that of a path."""
+    return field if isinstance(field, Field) else read(field)
+
+
+def reopened(path: str, hash: bytes, report: str) -> Field:
+    """A mapped field from its pickle."""
+    field = read(path)
+    if field._hash != hash:
+        raise Error(f"{path}: is not the field that was pickled, but another one", "input", 3)
+    field._held.report = report
+    return field
+
+
+def unpickled(data: bytes, name: bytes, report: str) -> Field:
+    """A field in memory from its pickle."""
+    return Field(_native.from_bytes(data, name, report))
 
 
 def validate(path: Union[str, os.PathLike[str]]) -> Field:
@@ -175,8 +255,9 @@ def compare(first: Union[str, os.PathLike[str], Field], second: Union[str, os.Pa
     """
     if match not in (None, "order", "id"):
         raise ValueError(f"match is {match!r}, neither 'order' nor 'id'")
+    tolerance = number("tolerance", tolerance)
     if not tolerance >= 0:
         raise ValueError(f"tolerance is {tolerance}; it is 0 or more")
-    text = "" if transform is None else json.dumps(transform, default=plain)
-    fields = [one if isinstance(one, Field) else read(one) for one in (first, second)]
+    text = "" if transform is None else json_text("transform", transform)
+    fields = [field_of(one) for one in (first, second)]
     return Comparison(_native.compare(fields[0]._native, fields[1]._native, text, match or "", tolerance))
