@@ -97,7 +97,12 @@ public:
                      total, maxBlades_);
             }
         });
-        warnOfLost(keep);
+        try {
+            warnOfLost(keep);
+        } catch (const py::error_already_set&) {
+            work(py::none(), [&](Progress& progress) { session_->apply(before, progress); });
+            throw;
+        }
         return tell(change);
     }
 
@@ -111,13 +116,16 @@ public:
         forgetReadFiles();
         Diagnostics diagnostics;
         bake::Session::Change change;
+        std::unique_ptr<terrain::GroundMesh> next;
+        work(py::none(), [&](Progress&) {
+            next = std::make_unique<terrain::GroundMesh>(loadGround(request, diagnostics));
+        });
+        issueWarnings(diagnostics); // which may throw: before the change
         work(callback, [&](Progress& progress) {
-            auto next = std::make_unique<terrain::GroundMesh>(loadGround(request, diagnostics));
             change = session_->replaceGround(*next, progress);
             ground_ = std::move(next);
         });
         request_.given.ground = request.given.ground;
-        issueWarnings(diagnostics);
         return tell(change);
     }
 

@@ -1,7 +1,9 @@
 """sward.Session: painted and changed ground, byte for byte as a whole bake."""
 
 import unittest
+import warnings
 
+import numpy
 import sward
 
 from case import PythonCase, grid, hills
@@ -32,7 +34,27 @@ class Painting(PythonCase):
             session.paint([{**ERASE, "radius_m": -1}])
         with self.assertRaisesRegex(sward.Error, "keep is 3"):
             session.paint([ERASE], keep=3)
+        for strokes in (None, ERASE, "strokes.json"):
+            with self.assertRaisesRegex(TypeError, "strokes: a list of dicts"):
+                session.paint(strokes)
+        with self.assertRaisesRegex(ValueError, r"strokes: strokes\[0\]: points\[1\]\[0\]: nan; all numbers"):
+            session.paint([{**ERASE, "points": [[0, 0, 0], numpy.array([numpy.nan, 0, 0])]}])
+        with self.assertRaisesRegex(TypeError, "keep is 1.5; a whole number"):
+            session.paint([], keep=1.5)
+        with self.assertRaisesRegex(sward.Error, f"keep is {2**70}, and there are 0 strokes"):
+            session.paint([], keep=2**70)
+        with self.assertRaisesRegex(TypeError, "takes arrays, or nothing"):
+            session.replace_ground("hills")
         self.assertEqual((len(session), session.strokes), (count, []))
+
+    def test_nor_does_a_warning_that_is_an_error(self):
+        ground = hills()
+        session = sward.Session(ground, extent=(16, 16), density=2)
+        before = self.bytes_of(session.field())
+        warnings.simplefilter("error")
+        with self.assertRaisesRegex(sward.Warning, "strokes"):
+            session.paint([TALL, {**ERASE, "points": [[0, 500, 0]]}])
+        self.assertEqual((session.strokes, self.bytes_of(session.field())), ([], before))
 
     def test_a_call_during_another_one_is_refused(self):
         session = sward.Session("hills", density=2)
@@ -47,7 +69,9 @@ class Painting(PythonCase):
 
     def test_a_baked_field_is_used(self):
         field = sward.bake("hills", density=2)
-        self.assertTrue(sward.Session("hills", density=2, field=field).has_reused)
+        field.save(self.folder / "hills.sward")
+        for given in (field, self.folder / "hills.sward"):
+            self.assertTrue(sward.Session("hills", density=2, field=given).has_reused)
 
     def test_it_names_no_output(self):
         with self.assertRaisesRegex(TypeError, "a session writes nothing"):
@@ -69,6 +93,13 @@ class ChangedGround(PythonCase):
         session = sward.Session((vertices, triangles), density=3)
         vertices[40, 1] += 0.5
         session.replace_ground((vertices, triangles))
+        # A warning that is an error comes before the change: of vertices that single precision rounds.
+        before = self.bytes_of(session.field())
+        with warnings.catch_warnings():
+            warnings.simplefilter("error")
+            with self.assertRaises(sward.Warning):
+                session.replace_ground((vertices + numpy.float32(2e6), triangles))
+        self.assertEqual(self.bytes_of(session.field()), before)
         self.assertEqual(len(session), len(session.field()))
         with self.assertRaises(sward.Error):
             session.replace_ground((vertices, triangles[1:]))

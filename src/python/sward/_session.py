@@ -9,10 +9,12 @@ from typing import Any, Callable, Optional, Union
 import numpy
 
 from . import _native
-from ._arrays import put_ground, strokes_text
+from ._arrays import paths_of, put_ground, strokes_text
 from ._bake import LEFT_OUT, arguments_of
-from ._field import Field
+from ._errors import Error
+from ._field import Field, field_of
 from ._options import Options
+from ._texts import callback, whole
 
 NOTHING_WRITTEN = "a session writes nothing; Session.field() has the field"
 SESSION_OPTIONS = Options("Session", _native.bake_options(), {
@@ -23,15 +25,17 @@ class Session:
     """A bake that stays open while its ground is painted or changed: only the 32 m cells that a change reaches are
     baked again. The field is at any time, byte for byte, that of a whole bake.
 
-    ground and options: as of sward.bake(), but for those that name outputs. field: one that was baked of
-    this ground with these options; its blades are used. progress: as of sward.bake(). A call during another one, from
-    a second thread or from `progress`, raises sward.Error.
+    ground and options: as of sward.bake(), but for those that name outputs. field: one, or its path, that was
+    baked of this ground with these options; its blades are used. progress: as of sward.bake(). A call during another
+    one, from a second thread or from `progress`, raises sward.Error. After any exception the session is as before the
+    call, also if the user's filters make an exception of a sward.Warning.
     """
 
-    def __init__(self, ground: Any, *, field: Optional[Field] = None,
+    def __init__(self, ground: Any, *, field: Union[str, os.PathLike[str], Field, None] = None,
                  progress: Optional[Callable[[float, str], None]] = None, **options: Any) -> None:
         arguments, inputs = arguments_of(ground, options, SESSION_OPTIONS)
-        self._native = _native.Session(arguments, inputs, None if field is None else field._native, progress)
+        self._native = _native.Session(arguments, inputs,
+                                       None if field is None else field_of(field)._native, callback(progress))
 
     @property
     def strokes(self) -> list:
@@ -62,10 +66,13 @@ class Session:
         """Adds strokes, dicts as in a stroke file. `keep`: of those before only so many first ones stay, so
         paint([], keep=n) undoes. Returns {"cells": numbers of the 32 m cells baked again, "blades": in these cells}.
         """
-        kept = len(self.strokes) if keep is None else int(keep)
+        before = len(self.strokes)
+        kept = before if keep is None else whole("keep", keep)
         if kept < 0:
             raise ValueError(f"keep is {kept}; it is 0 or more")
-        return self._native.paint(strokes_text(strokes), kept, progress)
+        if kept > before:
+            raise Error(f"keep is {kept}, and there are {before} strokes")
+        return self._native.paint(strokes_text(strokes), kept, callback(progress))
 
     def replace_ground(self, ground: Any = None, *,
                        progress: Optional[Callable[[float, str], None]] = None) -> dict:
@@ -74,9 +81,11 @@ class Session:
         """
         inputs = None
         if ground is not None:
+            if paths_of(ground) is not None:
+                raise TypeError("replace_ground() takes arrays, or nothing: then it reads the session's own files again")
             inputs = _native.Inputs()
             put_ground(inputs, ground)
-        return self._native.replace_ground(inputs, progress)
+        return self._native.replace_ground(inputs, callback(progress))
 
     def field(self) -> Field:
         """The whole field as it is now, in memory. A copy."""
