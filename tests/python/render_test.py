@@ -1,7 +1,10 @@
 """sward.Renderer: the pictures of `sward-view render`, as arrays."""
 
 import json
+import os
+import signal
 import unittest
+import warnings
 
 import numpy
 import sward
@@ -95,6 +98,38 @@ class Pictures(PythonCase):
                 renderer.render(CAMERA, size=SIZE, layers=wrong)
         self.assertEqual(len(renderer.render(CAMERA, size=SIZE, layers="all")), 13)
 
+    def test_both_kinds_of_pictures_have_one_past(self):
+        layers, panned = ["flow-backward"], {**CAMERA, "eye": [0.2, 3, 12], "target": [0.2, 0, 0]}
+        def flows(kinds):
+            renderer = sward.Renderer(self.field, wind_strength=3, samples=1)
+            return [renderer.render(camera, time, SIZE, layers=layers, dtype=kind)["flow-backward"] for camera, time, kind in kinds]
+        film, linear = "uint8", "float32"
+        expected = flows([(CAMERA, 0, film), (panned, 0.04, film), (CAMERA, 0.08, film)])
+        self.assertGreater(numpy.nanmax(numpy.abs(expected[1])), 0.5)
+        mixed = flows([(CAMERA, 0, film), (panned, 0.04, linear), (CAMERA, 0.08, film)])
+        both = flows([(camera, time, kind) for camera, time in ((CAMERA, 0), (panned, 0.04), (CAMERA, 0.08)) for kind in (film, linear)])
+        for place, flow in enumerate(expected):
+            for found in (mixed[place], both[2 * place], both[2 * place + 1]):
+                numpy.testing.assert_array_equal(found, flow)
+
+    def test_fields_are_drawn_together(self):
+        fields = [sward.bake(numpy.zeros((5, 5)), extent=(4, 4), count=300, meadow="grass"),
+                  sward.bake(numpy.ones((5, 5)), extent=(2, 2), count=300, meadow="grass")]
+        paths = [self.folder / "a.sward", self.folder / "b.sward"]
+        for field, path in zip(fields, paths):
+            field.save(path)
+        drawn = sward.Renderer([fields[0], paths[1]], samples=1).render("fit", size=SIZE, layers=["id"])
+        self.program("render", *paths, "-o", "both.npz", "--size", "64x36", "--samples", "1", "--layers", "id", program=VIEWER)
+        numpy.testing.assert_array_equal(drawn["id"], numpy.load(self.folder / "both.npz")["id"])
+        self.assertEqual(set(numpy.unique(drawn["id"] >> 53)), {0, 1, 2})
+
+    def test_warnings_of_settings_are_warnings(self):
+        odd = {"look": {"sun": {"elevation": -80}}}
+        with self.assertWarnsRegex(sward.Warning, "settings: "):
+            self.renderer.render(size=SIZE, settings=odd)
+        with self.assertWarnsRegex(sward.Warning, "settings: "):
+            sward.Renderer(self.field, settings=odd)
+
     def test_settings_of_one_picture_change_no_other(self):
         still = self.renderer.render("top", 0.0, SIZE)
         for settings in ({"look": {"sun": {"elevation": 8}}},
@@ -125,8 +160,18 @@ class Refused(PythonCase):
             render(size=(0, 36))
         with self.assertRaisesRegex(TypeError, "size is"):
             render(size=64)
-        with self.assertRaises(sward.Error):
+        with self.assertRaisesRegex(sward.Error, r"the time of a frame is nan s, beyond ±\d+ s"):
             render(time=float("nan"))
+        with self.assertRaisesRegex(TypeError, "time is 'x'; a number"):
+            render(time="x")
+        with self.assertRaisesRegex(ValueError, r"camera: eye\[0\]: nan; all numbers must be finite"):
+            render({"eye": numpy.array([numpy.nan, 0, 0]), "target": [0, 0, 0]})
+        with self.assertRaisesRegex(ValueError, "settings: look: sun: elevation: inf; all"):
+            render(settings={"look": {"sun": {"elevation": numpy.float32("inf")}}})
+        with self.assertRaisesRegex(TypeError, "settings of a picture are a dict"):
+            render(settings="settings.json")
+        with self.assertRaisesRegex(sward.Error, "geometry tessellation is asked for"):
+            sward.Renderer(self.field, geometry="tessellation").render(size=SIZE, layers=["id"])
         with self.assertRaisesRegex(TypeError, "neither uint8 nor float32"):
             render(dtype=numpy.float64)
         with self.assertRaisesRegex(sward.Error, "settings: "):
@@ -137,6 +182,22 @@ class Refused(PythonCase):
             sward.Renderer(self.field, sample=4)
         with self.assertRaisesRegex(sward.Error, "--samples: '3' is not 1 or 4"):
             sward.Renderer(self.field, samples=3)
+        with self.assertRaisesRegex(ValueError, "empty list"):
+            sward.Renderer([])
+
+    def test_a_forked_process_is_told(self):
+        child = os.fork()
+        if child == 0:
+            signal.alarm(20)
+            try:
+                self.renderer.render(size=SIZE)
+            except sward.Error as error:
+                os._exit(error.exit_code if "spawn" in str(error) else 1)
+            os._exit(1)
+        self.assertEqual(os.waitpid(child, 0)[1], 5 << 8)
+
+    def test_layers_of_no_name_are_a_dict(self):
+        self.assertEqual(list(self.renderer.render(size=SIZE, layers=[])), ["color"])
 
 
 class LongSeeds(PythonCase):

@@ -20,4 +20,12 @@ field::PatchSource FieldGroup::sourceOf(std::uint32_t patch) const
     return members_.size() > 1 ? joined_.sources[patch] : field::PatchSource{0, patch};
 }
 
+std::vector<std::uint32_t> FieldGroup::memberOfPatches() const
+{
+    std::vector<std::uint32_t> numbers;
+    for (std::uint32_t patch = 0; patch < view_.patches.size(); ++patch)
+        numbers.push_back(view_.patches[patch].bladeCount > 0 ? sourceOf(patch).member : 0);
+    return numbers;
+}
+
 } // namespace sward::view

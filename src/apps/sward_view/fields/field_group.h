@@ -23,6 +23,9 @@ public:
     /// The member and patch that a view's patch comes from. Requires own blades or a single member.
     field::PatchSource sourceOf(std::uint32_t patch) const;
 
+    /// The member that each patch of the view comes from; 0 for patches without own blades.
+    std::vector<std::uint32_t> memberOfPatches() const;
+
 private:
     std::vector<field::Member> members_;
     field::JoinedFields joined_; ///< empty for a single field

@@ -65,17 +65,12 @@ render::FieldRendererSettings settingsFor(const FrameOptions& options, Headless:
 // Numbers of the fields that patches come from, for the layers of several fields.
 std::vector<std::uint32_t> numbersOf(const FieldGroup& fields, bool areWanted)
 {
-    std::vector<std::uint32_t> numbers;
     if (!areWanted || fields.members().size() == 1)
-        return numbers;
+        return {};
     if (fields.members().size() > render::LayerId::maxFields)
         fail(ErrorKind::usage, "--layers: {} fields are drawn together, more than {}",
              fields.members().size(), render::LayerId::maxFields);
-    for (std::uint32_t patch = 0; patch < fields.view().patches.size(); ++patch)
-        numbers.push_back(fields.view().patches[patch].bladeCount > 0
-                              ? static_cast<std::uint32_t>(fields.sourceOf(patch).member)
-                              : 0);
-    return numbers;
+    return fields.memberOfPatches();
 }
 
 float aspectOf(glm::uvec2 size)

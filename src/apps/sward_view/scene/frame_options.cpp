@@ -232,10 +232,20 @@ render::FrameSettings usualSettings(const field::FieldView& view)
 
 render::FrameSettings FrameOptions::settingsFor(const field::FieldView& view) const
 {
+    Diagnostics diagnostics;
+    const render::FrameSettings settings = settingsFor(view, diagnostics);
+    for (const std::string& warning : diagnostics.warnings())
+        log::warn("{}", warning);
+    return settings;
+}
+
+render::FrameSettings FrameOptions::settingsFor(const field::FieldView& view,
+                                                Diagnostics& diagnostics) const
+{
     render::FrameSettings settings = usualSettings(view);
-    const auto warn = [](const std::vector<std::string>& warnings) {
+    const auto warn = [&](const std::vector<std::string>& warnings) {
         for (const std::string& warning : warnings)
-            log::warn("{}", warning);
+            diagnostics.warn("{}", warning);
     };
     if (sceneSettings)
         warn(presentation::readSettings(sceneSettings->text, sceneSettings->place, settings));

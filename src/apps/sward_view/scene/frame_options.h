@@ -2,6 +2,7 @@
 
 #include "apps/common/terminal/log_switches.h"
 #include "apps/sward_view/scene/scene.h"
+#include "core/diagnostics.h"
 #include "render/frame/frame_settings.h"
 #include "render/viewer/field_renderer.h"
 
@@ -46,7 +47,7 @@ struct FrameOptions {
     std::uint64_t gpuMemory = 0;             ///< [bytes] of device memory; 0: unlimited
     /// [bytes] of device memory for the blades that a field with seeds sows; 0: none are sown
     std::uint64_t sownMemory = render::FieldRendererSettings{}.sownBytes;
-    std::string device;                      ///< index or part of the name; empty: the best
+    std::string device; ///< index or part of the name; empty: the best
     bool validation = false;
     apps::LogSwitches log;
 
@@ -58,6 +59,8 @@ struct FrameOptions {
 
     /// The resulting frame settings: those saved in the field, overridden by the settings file and
     /// the options. Throws as readSettings() does, and Error{usage} for too many colliders.
+    /// Warnings go to `diagnostics`, or to the log.
+    render::FrameSettings settingsFor(const field::FieldView& view, Diagnostics& diagnostics) const;
     render::FrameSettings settingsFor(const field::FieldView& view) const;
 };
 
