@@ -15,6 +15,7 @@ from ._options import Options
 from ._texts import arguments_bytes, callback, json_text, number, path_bytes, text_of_bytes, whole
 
 GROWTH_OPTIONS = Options("grow", _native.growth_options(), {})
+MOST_THREADS = 1024
 
 
 class Comparison(dict):
@@ -185,6 +186,8 @@ class Field:
         (z0, z1)) [m]. Both also as texts.
         """
         arguments = arguments_bytes(GROWTH_OPTIONS.arguments(options))
+        if not 0 <= whole("threads", threads) <= MOST_THREADS:
+            raise ValueError(f"threads is {threads}; it is 0 to {MOST_THREADS}")
         return Field(self._native.grow(arguments, whole("threads", threads), callback(progress)))
 
 
