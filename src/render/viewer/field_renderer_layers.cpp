@@ -38,7 +38,7 @@ void FieldRenderer::Parts::checkLayers(const Target& target) const
         return;
     if (geometry != Geometry::raster && settings.geometry == Geometry::tessellation)
         fail(
-            ErrorKind::usage,
+            ErrorKind::unsupported,
             "layers need blades that compute shaders draw, and geometry tessellation is asked for");
     if (geometry != Geometry::raster)
         fail(ErrorKind::unsupported,
