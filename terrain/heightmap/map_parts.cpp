@@ -2,7 +2,9 @@
 
 #include "core/error.h"
 #include "terrain/heightmap/height_samples.h"
+#include "terrain/maps/map_places.h"
 
+#include <fmt/core.h>
 #include <glm/common.hpp>
 #include <xxhash.h>
 
@@ -17,7 +19,7 @@ namespace {
 
 constexpr double highestOfMap = 1e6; // [m] above or below 0
 constexpr double longestOfMap = 1e7; // [m] a side of the ground
-constexpr double maxSamples = 2e9;  // two triangles each have numbers of 32 bits
+constexpr double maxSamples = 2e9;   // two triangles each have numbers of 32 bits
 constexpr std::uint32_t block = MapSurvey::block;
 
 std::uint64_t mixed(std::uint64_t hash, std::span<const double> heights)
@@ -25,15 +27,43 @@ std::uint64_t mixed(std::uint64_t hash, std::span<const double> heights)
     return XXH3_64bits_withSeed(heights.data(), heights.size_bytes(), hash);
 }
 
-// Whole blocks of samples within `points` from `first` on, along one axis.
+glm::uvec2 blocksOf(glm::uvec2 samples)
+{
+    return (samples + block - 1U) / block;
+}
+
+// Blocks of samples that a window reads: those of its cells, and of a row and a column more on
+// each side, for normals.
 struct BlockRange {
-    BlockRange(std::uint32_t first, std::uint32_t points)
-        : begin((first + block - 1) / block)
-        , end(std::max((first + points) / block, begin))
+    BlockRange(const HeightGrid& grid, glm::uvec2 firstCell, glm::uvec2 cells)
+        : begin((glm::max(firstCell, 1U) - 1U) / block)
+        , end(blocksOf(glm::min(firstCell + cells + 2U, grid.cells + 1U)))
     {
     }
-    std::uint32_t begin, end;
+    glm::uvec2 begin, end;
 };
+
+// How a map differs from the one that a plan was made of; empty: not at all.
+std::string differenceOf(const MapHeights& map, const MapWindow& plan)
+{
+    const HeightGrid &own = map.grid(), &other = plan.grid;
+    if (own.cells != other.cells)
+        return fmt::format("it has {} x {} samples, and had {} x {}", own.cells.x + 1,
+                           own.cells.y + 1, other.cells.x + 1, other.cells.y + 1);
+    if (systemName(map.system()) != systemName(plan.system)) {
+        const auto name = [](const std::string& system) {
+            return system.empty() ? "no coordinate system" : systemName(system);
+        };
+        return fmt::format("it names {}, and named {}", name(map.system()), name(plan.system));
+    }
+    if (own.extent != other.extent)
+        return fmt::format("it is {} x {} m wide and high, and was {} x {}", own.extent.x,
+                           own.extent.y, other.extent.x, other.extent.y);
+    if (own.middle != other.middle)
+        return fmt::format("its middle lies at east {}, north {}, and lay at {}, {}", own.middle.x,
+                           -own.middle.y, other.middle.x, -other.middle.y);
+    return {};
+}
 
 } // namespace
 
@@ -109,6 +139,8 @@ MapWindow windowOf(const MapSurvey& survey, glm::dvec2 low, glm::dvec2 high)
     const glm::dvec2 from = (low - grid.middle) / step + 0.5 * cells,
                      to = (high - grid.middle) / step + 0.5 * cells;
     MapWindow window;
+    window.grid = grid;
+    window.system = survey.system;
     window.origin = survey.origin;
     if (to.x < 0.0 || to.y < 0.0 || from.x > cells.x || from.y > cells.y)
         return window;
@@ -127,52 +159,55 @@ MapWindow windowOf(const MapSurvey& survey, glm::dvec2 low, glm::dvec2 high)
             first += survey.trianglesOfBlock[j * blocks + b];
         window.firstTriangle.push_back(static_cast<std::uint32_t>(first));
     }
-    const glm::uvec2 all = (grid.cells + 1U) / block;
-    const BlockRange columns(window.firstCell.x, window.cells.x + 1),
-        rows(window.firstCell.y, window.cells.y + 1);
-    for (std::uint32_t y = rows.begin; y < rows.end; ++y)
-        for (std::uint32_t x = columns.begin; x < columns.end; ++x)
-            window.checks.push_back(survey.checks[std::size_t(y) * all.x + x]);
+    const std::size_t all = blocksOf(grid.cells + 1U).x;
+    const BlockRange range(grid, window.firstCell, window.cells);
+    for (std::uint32_t y = range.begin.y; y < range.end.y; ++y)
+        for (std::uint32_t x = range.begin.x; x < range.end.x; ++x)
+            window.checks.push_back(survey.checks[y * all + x]);
     return window;
 }
 
 GroundMesh readWindow(MapHeights& heights, const MapWindow& window)
 {
     const HeightGrid& grid = heights.grid();
+    const std::string& path = heights.path();
+    const auto otherFile = [&](const std::string& difference) {
+        fail(ErrorKind::input, "{}: is not the map that the plan was made of: {}; plan again", path,
+             difference);
+    };
+    if (const std::string difference = differenceOf(heights, window); !difference.empty())
+        otherFile(difference);
     if (window.cells.x == 0 || window.cells.y == 0)
         return {};
-    const std::string& path = heights.path();
     const glm::uvec2 end = window.firstCell + window.cells;
-    const auto otherFile = [&] {
-        fail(ErrorKind::input, "{}: is not the map that the plan was made of; plan again", path);
-    };
+    const BlockRange range(grid, window.firstCell, window.cells);
+    const glm::uvec2 blocks = range.end - range.begin;
     if (end.x > grid.cells.x || end.y > grid.cells.y ||
-        window.firstTriangle.size() != window.cells.y)
-        otherFile();
-    // A row and a column more on each side, for normals.
+        window.firstTriangle.size() != window.cells.y ||
+        window.checks.size() != std::size_t(blocks.x) * blocks.y)
+        otherFile("its window lies elsewhere");
+    // Whole blocks: each height that counts is compared.
     HeightPart part;
-    part.first = {window.firstCell.x > 0 ? window.firstCell.x - 1 : 0,
-                  window.firstCell.y > 0 ? window.firstCell.y - 1 : 0};
-    part.points = glm::min(end + 2U, grid.cells + 1U) - part.first;
+    part.first = range.begin * block;
+    part.points = glm::min(range.end * block, grid.cells + 1U) - part.first;
     part.firstCell = window.firstCell - part.first;
     part.cells = window.cells;
     part.origin = window.origin;
     part.firstTriangle = window.firstTriangle;
     const std::vector<double> own = heights.read(part.first, part.points);
 
-    const BlockRange columns(window.firstCell.x, window.cells.x + 1),
-        rows(window.firstCell.y, window.cells.y + 1);
-    std::size_t check = 0;
-    for (std::uint32_t y = rows.begin; y < rows.end; ++y)
-        for (std::uint32_t x = columns.begin; x < columns.end; ++x) {
+    for (std::uint32_t y = 0; y < blocks.y; ++y)
+        for (std::uint32_t x = 0; x < blocks.x; ++x) {
+            const glm::uvec2 first = glm::uvec2(x, y) * block,
+                             last = glm::min(first + block, part.points);
             std::uint64_t hash = 0;
-            for (std::uint32_t j = 0; j < block; ++j)
-                hash = mixed(hash, std::span(own).subspan(
-                                       std::size_t(y * block + j - part.first.y) * part.points.x +
-                                           (x * block - part.first.x),
-                                       block));
-            if (check == window.checks.size() || window.checks[check++] != hash)
-                otherFile();
+            for (std::uint32_t j = first.y; j < last.y; ++j)
+                hash = mixed(hash, std::span(own).subspan(std::size_t(j) * part.points.x + first.x,
+                                                          last.x - first.x));
+            if (window.checks[std::size_t(y) * blocks.x + x] != hash)
+                otherFile(fmt::format("heights of columns {} to {} in rows {} to {} differ",
+                                      part.first.x + first.x, part.first.x + last.x - 1,
+                                      part.first.y + first.y, part.first.y + last.y - 1));
         }
     GroundMesh mesh = heightfield(grid, part, own, path);
     if (mesh.triangles.empty())

@@ -52,6 +52,7 @@ struct MapSurvey {
     static constexpr std::uint32_t block = 32;
 
     HeightGrid grid;
+    std::string system;            ///< GroundMesh::mapSystem
     glm::dvec3 origin{0.0};        ///< as GroundMesh
     glm::dvec3 low{0.0};           ///< [m] of the ground's box in the world
     glm::dvec3 high{0.0};          ///< [m] the same
@@ -62,7 +63,7 @@ struct MapSurvey {
 
     std::vector<std::uint64_t> firstOfRow;      ///< triangle of each row of cells
     std::vector<std::uint8_t> trianglesOfBlock; ///< of each row's blocks; empty: all are full
-    std::vector<std::uint64_t> checks;          ///< hash of each whole block of samples, by rows
+    std::vector<std::uint64_t> checks;          ///< hash of each block of samples, by rows
 
     /// Ground of every `stride`-th sample, for what an estimate suffices: where the whole has more
     /// samples than a ground may have. It lies on no place above the whole ground.
@@ -78,19 +79,22 @@ MapSurvey surveyMap(MapHeights& heights, std::size_t limit, std::size_t overview
 
 /// A part of the ground of a map: all that a program needs beside the file.
 struct MapWindow {
+    HeightGrid grid;                          ///< of the whole map
+    std::string system;                       ///< MapSurvey::system
     glm::uvec2 firstCell{0U};                 ///< of the grid
     glm::uvec2 cells{0U};                     ///< along x and z; 0: none
     glm::dvec3 origin{0.0};                   ///< of the whole ground
     std::vector<std::uint32_t> firstTriangle; ///< of each row of cells, in the whole ground
-    std::vector<std::uint64_t> checks;        ///< MapSurvey::checks of whole blocks in reach
+    std::vector<std::uint64_t> checks;        ///< MapSurvey::checks of all blocks that are read
 };
 
 /// The window of the cells that a rectangle touches, low and high in x and z of the world [m], and
 /// of cells to the west, so that triangles are counted by blocks.
 MapWindow windowOf(const MapSurvey& survey, glm::dvec2 low, glm::dvec2 high);
 
-/// The ground of a window, as a part of the whole ground. Throws as MapHeights, and Error{input} if
-/// the file is not the one of the survey.
+/// The ground of a window, as a part of the whole ground. Throws as MapHeights, and Error{input}
+/// that says what differs if the file has another grid or system than in the survey, or another
+/// height among those that are read.
 GroundMesh readWindow(MapHeights& heights, const MapWindow& window);
 
 } // namespace sward::terrain

@@ -39,6 +39,7 @@ public:
         , step_(grid_.extent / glm::dvec2(grid_.cells))
     {
         survey_.grid = grid_;
+        survey_.system = heights.system();
         const auto count = double(points_.x) * double(points_.y);
         if (grid_.points() > limit)
             survey_.stride = static_cast<std::uint32_t>(
@@ -50,8 +51,8 @@ public:
             excess_.resize(2 * std::size_t(coarse_.x - 1) * (coarse_.y - 1), 0.0f);
         }
         blocks_ = (grid_.cells.x + MapSurvey::block - 1) / MapSurvey::block;
-        survey_.checks.resize(std::size_t(points_.x / MapSurvey::block) *
-                              (points_.y / MapSurvey::block));
+        checked_ = (points_ + MapSurvey::block - 1U) / MapSurvey::block;
+        survey_.checks.resize(std::size_t(checked_.x) * checked_.y);
         survey_.trianglesOfBlock.resize(blocks_ * grid_.cells.y);
     }
 
@@ -156,15 +157,14 @@ private:
 
     void addChecks(std::uint32_t first, std::uint32_t cells, std::uint32_t known)
     {
-        const std::uint32_t columns = points_.x / MapSurvey::block;
-        const std::uint32_t rows = points_.y / MapSurvey::block;
         for (std::uint32_t row = known; row <= cells; ++row) {
             const std::uint32_t y = (first + row) / MapSurvey::block;
-            for (std::uint32_t x = 0; y < rows && x < columns; ++x) {
-                std::uint64_t& check = survey_.checks[std::size_t(y) * columns + x];
-                check = XXH3_64bits_withSeed(
-                    &held_[std::size_t(row) * points_.x + std::size_t(x) * MapSurvey::block],
-                    MapSurvey::block * sizeof(double), check);
+            for (std::uint32_t x = 0; x < checked_.x; ++x) {
+                std::uint64_t& check = survey_.checks[std::size_t(y) * checked_.x + x];
+                const std::uint32_t begin = x * MapSurvey::block,
+                                    count = std::min(MapSurvey::block, points_.x - begin);
+                check = XXH3_64bits_withSeed(&held_[std::size_t(row) * points_.x + begin],
+                                             count * sizeof(double), check);
             }
         }
     }
@@ -291,6 +291,7 @@ private:
     glm::dvec2 step_;
     MapSurvey survey_;
     std::size_t blocks_ = 0;       // of a row of cells
+    glm::uvec2 checked_{0U};       // blocks of samples
     glm::uvec2 coarse_{0U};        // points of the overview
     std::vector<double> overview_; // heights
     std::vector<float> excess_;    // [m] of each triangle of the overview

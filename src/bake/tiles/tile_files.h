@@ -17,7 +17,7 @@ namespace sward::bake {
 
 // First bytes of the files beside a plan: eight letters each; the last two are the version.
 inline constexpr const char* partKind = "SWPART06";   ///< a tile's part of the ground
-inline constexpr const char* windowKind = "SWWIND01"; ///< a tile's window of a map
+inline constexpr const char* windowKind = "SWWIND02"; ///< a tile's window of a map
 inline constexpr const char* imageKind = "SWIMAG02";  ///< an image of the ground
 inline constexpr const char* tileKind = "SWTILE05";   ///< the blades and seeds of a tile
 

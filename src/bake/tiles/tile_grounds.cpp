@@ -64,6 +64,8 @@ void writeWindow(const fs::path& path, const std::string& id, const TileWindow& 
     terrain::RecordWriter writer(path, windowKind, true);
     writer.add(std::string_view(id));
     writer.addOne(window.columns);
+    writer.addOne(window.window.grid);
+    writer.add(std::string_view(window.window.system));
     writer.addOne(window.window.firstCell);
     writer.addOne(window.window.cells);
     writer.addOne(window.window.origin);
@@ -83,6 +85,8 @@ TilePart readWindowPart(const fs::path& folder, std::uint32_t tile, const std::s
         fail(ErrorKind::input, "{}: belongs to plan {}, not {}", path.string(), own, id);
     TileWindow window;
     reader.readOne(window.columns);
+    reader.readOne(window.window.grid);
+    reader.read(window.window.system);
     reader.readOne(window.window.firstCell);
     reader.readOne(window.window.cells);
     reader.readOne(window.window.origin);

@@ -261,6 +261,28 @@ class Maps(CliTest):
         self.assertIn(INPUT, {one.returncode for one in said})
         self.assertIn("plan again", "".join(one.stderr for one in said))
 
+    def test_a_tile_refuses_a_map_that_changed(self):
+        """Each height counts, to the last row and column, and where the file lies."""
+        self.tif("a.tif", HEIGHTS)
+        self.tiles(2, "a.tif", "--density", "0.01")
+        east, south = HEIGHTS.copy(), HEIGHTS.copy()
+        east[50, -1] += 1
+        south[-1, 50] += 1
+        for heights, changes, tiles, words in (
+                (HEIGHTS, {"place": (EAST + 1000, STEP, 0, NORTH, 0, -STEP)}, 2, ("its middle lies at east 501101", "500101")),
+                (HEIGHTS, {"place": (EAST, STEP, 0, NORTH, 0, -1.5 * STEP)}, 2, ("is 200 x 300 m", "was 200 x 200")),
+                (HEIGHTS, {"epsg": 32632}, 2, ("names EPSG:32632", "named EPSG:32633")), (HEIGHTS, {"epsg": None}, 2, ("no coordinate system",)),
+                (HEIGHTS[:-1], {}, 2, ("101 x 100 samples", "had 101 x 101")),
+                (east, {}, 1, ("columns 96 to 100",)), (south, {}, 1, ("rows 96 to 100",))):
+            with self.subTest(words):
+                self.tif("a.tif", heights, **changes)
+                said = [subprocess.run([PROGRAM, "tile", "plan.json", "--index", str(i), "-o", "parts", "-q", "--force"], cwd=self.folder,
+                                       capture_output=True, text=True) for i in range(2)]
+                refused = [one.stderr for one in said if one.returncode == INPUT]
+                self.assertGreaterEqual(len(refused), tiles)
+                for word in ("a.tif", "not the map that the plan was made of", *words):
+                    self.assertIn(word, refused[0])
+
     def test_what_is_wrong_is_named(self):
         self.tif("a.tif", HEIGHTS)
         self.tif("bare.tif", HEIGHTS, epsg=None)
