@@ -98,12 +98,14 @@ double MapMask::at(glm::dvec3 place) const
         const auto j = static_cast<std::size_t>(std::clamp(row, 0.0, double(grid_.size.y) - 1.0));
         return double(grid_.values[j * grid_.size.x + i]);
     };
-    if (!classes_.empty()) {
-        const double value = isInside ? sample(std::round(index.x), std::round(index.y)) : none;
-        return std::find(classes_.begin(), classes_.end(), value) != classes_.end() ? 1.0 : 0.0;
-    }
     if (!isInside)
         return none;
+    if (!classes_.empty()) {
+        const double value = sample(std::round(index.x), std::round(index.y));
+        if (std::isnan(value))
+            return none;
+        return std::find(classes_.begin(), classes_.end(), value) != classes_.end() ? 1.0 : 0.0;
+    }
     const glm::dvec2 low = glm::floor(index), share = index - low;
     return glm::mix(glm::mix(sample(low.x, low.y), sample(low.x + 1.0, low.y), share.x),
                     glm::mix(sample(low.x, low.y + 1.0), sample(low.x + 1.0, low.y + 1.0), share.x),

@@ -24,9 +24,8 @@ public:
     /// terrain::readMap().
     void read(const terrain::GroundMesh& ground);
 
-    /// Value at a place of the world, 1 or 0 by classes; NaN where the map has no data, and 0 by
-    /// classes.
-    /// Values are interpolated bilinearly, classes are those of the nearest sample.
+    /// Value at a place of the world, 1 or 0 by classes; NaN where the map has no data and beyond
+    /// its edge. Values are interpolated bilinearly, classes are those of the nearest sample.
     double at(glm::dvec3 place) const;
 
 private:

@@ -126,6 +126,11 @@ class Maps(CliTest):
         self.assertTrue(((column > 50) & (row < 50)).any())
         inverse = self.rows("a.tif", "--mask", "raster:cover.tif:30,40:invert")
         self.assertTrue((((inverse["x"] - EAST) / STEP > 50) & ((NORTH + inverse["z"]) / STEP > 50)).all())
+        # Nothing grows without data and beyond the map's edge, inverted or not.
+        self.tif("part.tif", np.where(X < 30, 10, cover)[:80].astype("u1"), kind="Byte", no_data=10)
+        inverse = self.rows("a.tif", "--mask", "raster:part.tif:40:invert")
+        column, row = (inverse["x"] - EAST) / STEP, (NORTH + inverse["z"]) / STEP
+        self.assertTrue(((column >= 30) & (column <= 50) & (row <= 80)).all())
         # In degrees, as land cover of a continent is: brought to the ground's system.
         gdal.Warp(str(self.folder / "wgs.tif"), str(self.folder / "cover.tif"), dstSRS="EPSG:4326", xRes=1e-5, yRes=1e-5, dstNodata=0)
         there = self.rows("a.tif", "--mask", "raster:wgs.tif:30,40")
