@@ -93,6 +93,7 @@ public:
         , option_(std::move(option))
     {
         open();
+        takeClasses();
         if (hasPlace_)
             place(diagnostics);
         else if (request_.system || request_.within)
@@ -159,6 +160,28 @@ private:
         if (hasPlace_ && !(std::abs(placement_.determinant()) > 0.0))
             fail(ErrorKind::input, "{}: its geotransform gives pixels no area", path_);
         own_ = systemOf(GDALGetSpatialRef(file_.get()));
+    }
+
+    bool isCategory() const { return !request_.classes.empty(); }
+
+    // Classes as the numbers of the band. Whole ones that these do not tell apart are refused.
+    void takeClasses()
+    {
+        constexpr double exactDoubles = 9007199254740992.0; // 2^53
+        const GDALDataType type = GDALGetRasterDataType(band_);
+        const bool isFloat = type == GDT_Float32;
+        const bool isLong = GDALDataTypeIsInteger(type) != 0 && GDALGetDataTypeSizeBits(type) > 53;
+        for (const double value : request_.classes) {
+            const auto single = static_cast<double>(static_cast<float>(value));
+            if ((isFloat && single != value && value == std::round(value)) ||
+                (isLong && !(std::abs(value) < exactDoubles)))
+                fail(ErrorKind::input, "{}: {}: class {:.0f} is not exact: {}", option_, path_,
+                     value,
+                     isFloat ? "the band has floats of 32 bits, with whole numbers up to 2^24"
+                             : "whole numbers are told apart up to 2^53");
+            classes_.push_back(isFloat ? single : value);
+        }
+        std::ranges::sort(classes_);
     }
 
     MapSystem targetSystem(Diagnostics& diagnostics) const
@@ -291,8 +314,8 @@ private:
         int hasScale = 0, hasOffset = 0;
         const double scale = GDALGetRasterScale(band_, &hasScale),
                      offset = GDALGetRasterOffset(band_, &hasOffset);
-        const bool changes = !request_.isCategory &&
-                             ((hasScale != 0 && scale != 1.0) || (hasOffset != 0 && offset != 0.0));
+        const bool changes =
+            !isCategory() && ((hasScale != 0 && scale != 1.0) || (hasOffset != 0 && offset != 0.0));
         const bool isMasked = (GDALGetMaskFlags(band_) & GMF_ALL_VALID) == 0;
         const GDALRasterBandH mask = isMasked ? GDALGetMaskBand(band_) : nullptr;
         const double metres = unit();
@@ -310,9 +333,12 @@ private:
             for (std::size_t i = 0; i < columns; ++i) {
                 const std::size_t from = i * std::size_t(thin);
                 const double value = changes ? row[from] * scale + offset : row[from];
-                out[i] = valid[from] != 0 && std::isfinite(value)
-                             ? static_cast<float>(value * metres)
-                             : none;
+                if (valid[from] == 0 || !std::isfinite(value))
+                    out[i] = none;
+                else if (isCategory())
+                    out[i] = std::ranges::binary_search(classes_, value) ? 1.0f : 0.0f;
+                else
+                    out[i] = static_cast<float>(value * metres);
             }
         }
     }
@@ -321,7 +347,7 @@ private:
     double unit() const
     {
         const std::string name = GDALGetRasterUnitType(band_);
-        if (request_.isCategory || name.empty())
+        if (isCategory() || name.empty())
             return 1.0;
         if (name == "ft" || name == "foot" || name == "feet" || name == "Foot")
             return 0.3048;
@@ -390,7 +416,7 @@ private:
                                  static_cast<std::size_t>(own.x)];
         };
         const glm::dvec2 at = source.thin == 1.0 ? place : (place - source.from) / source.thin;
-        if (request_.isCategory)
+        if (isCategory())
             return sample(glm::round(at));
         const glm::dvec2 low = glm::floor(at), share = at - low;
         double sum = 0.0;
@@ -409,6 +435,7 @@ private:
     std::string option_;
     MapFile file_;
     GDALRasterBandH band_ = nullptr;
+    std::vector<double> classes_; // rising
     glm::uvec2 size_{0U};
     Placement placement_;
     bool hasPlace_ = false;

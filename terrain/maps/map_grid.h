@@ -49,8 +49,10 @@ inline constexpr double samplesOfTile = 3e6;
 
 /// What is read of a raster.
 struct MapRequest {
-    int band = 1;            ///< from 1
-    bool isCategory = false; ///< values are names: nearest sample, no scale and no offset
+    int band = 1;                        ///< from 1
+    std::vector<double> classes{};       ///< if any, values are names, compared as the file has
+                                         ///< them: 1 for these and 0 for others, of the nearest
+                                         ///< sample, without scale and offset
     std::optional<std::string> system{}; ///< of the grid, as WKT; unset: the file's own if that is
                                          ///< in metres, else a transverse Mercator at its middle
     std::optional<MapBounds> within{};   ///< only what covers this, in metres of `system`
@@ -82,8 +84,9 @@ std::unique_ptr<MapRaster> openMap(const std::string& path, const MapRequest& re
 /// Reads a band of a GeoTIFF. Values get the band's scale and offset. What lies in another system,
 /// is rotated or begins in the south is resampled, bilinearly but for categories, at steps of the
 /// file's mean pixel. `option` names what asks for it. Throws Error{io}; Error{input} if the file
-/// is damaged, has no such band, no place or no system where one is needed, or does not meet
-/// `within`; Error{unsupported} beyond maxSamples, for complex numbers, and without GDAL.
+/// is damaged, has no such band, no place or no system where one is needed, does not meet
+/// `within`, or has no numbers as exact as a class; Error{unsupported} beyond maxSamples, for
+/// complex numbers, and without GDAL.
 MapGrid readMap(const std::string& path, const MapRequest& request, const std::string& option,
                 Diagnostics& diagnostics);
 

@@ -2,7 +2,7 @@
 #include "terrain/maps/map_reader.h"
 
 extern "C" __attribute__((visibility("default"))) const sward::terrain::MapReader*
-sward_map_reader_2()
+sward_map_reader_3()
 {
     static const sward::terrain::MapReader reader{
         &sward::terrain::readMapByGdal, &sward::terrain::openMapByGdal,

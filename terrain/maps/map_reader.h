@@ -36,6 +36,6 @@ std::vector<glm::dvec2> changedPlacesByGdal(const std::string& system,
                                             const std::string& option);
 
 /// Name of the function that returns the library's MapReader; changes with what it holds.
-inline constexpr const char* mapReaderName = "sward_map_reader_2";
+inline constexpr const char* mapReaderName = "sward_map_reader_3";
 
 } // namespace sward::terrain

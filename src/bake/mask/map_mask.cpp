@@ -59,7 +59,7 @@ void MapMask::read(const terrain::GroundMesh& ground)
         return;
     Diagnostics diagnostics;
     terrain::MapRequest request{.band = band_,
-                                .isCategory = !classes_.empty(),
+                                .classes = classes_,
                                 .system = ground.mapSystem,
                                 .within = {},
                                 .maxSamples = ground.overview > 1 ? overviewSamples : maxMapSamples,
@@ -100,12 +100,8 @@ double MapMask::at(glm::dvec3 place) const
     };
     if (!isInside)
         return none;
-    if (!classes_.empty()) {
-        const double value = sample(std::round(index.x), std::round(index.y));
-        if (std::isnan(value))
-            return none;
-        return std::find(classes_.begin(), classes_.end(), value) != classes_.end() ? 1.0 : 0.0;
-    }
+    if (!classes_.empty())
+        return sample(std::round(index.x), std::round(index.y));
     const glm::dvec2 low = glm::floor(index), share = index - low;
     return glm::mix(glm::mix(sample(low.x, low.y), sample(low.x + 1.0, low.y), share.x),
                     glm::mix(sample(low.x, low.y + 1.0), sample(low.x + 1.0, low.y + 1.0), share.x),

@@ -131,6 +131,12 @@ class Maps(CliTest):
         inverse = self.rows("a.tif", "--mask", "raster:part.tif:40:invert")
         column, row = (inverse["x"] - EAST) / STEP, (NORTH + inverse["z"]) / STEP
         self.assertTrue(((column >= 30) & (column <= 50) & (row <= 80)).all())
+        # Classes are compared as the file has them.
+        self.tif("long.tif", np.where(X < 50, 2 ** 24, 2 ** 24 + 1).astype("u4"), kind="UInt32")
+        self.assertTrue(((self.rows("a.tif", "--mask", "raster:long.tif:16777217")["x"] - EAST) / STEP > 49.9).all())
+        self.tif("share.tif", np.where(X < 50, 0.3, 0.4))
+        self.assertTrue(((self.rows("a.tif", "--mask", "raster:share.tif:0.3")["x"] - EAST) / STEP < 50.1).all())
+        self.refused("bake", "a.tif", "--mask", "raster:share.tif:16777217", "--count", "9", "-o", "x.sward", code=INPUT, names=("share.tif", "class 16777217", "2^24"))
         # In degrees, as land cover of a continent is: brought to the ground's system.
         gdal.Warp(str(self.folder / "wgs.tif"), str(self.folder / "cover.tif"), dstSRS="EPSG:4326", xRes=1e-5, yRes=1e-5, dstNodata=0)
         there = self.rows("a.tif", "--mask", "raster:wgs.tif:30,40")
