@@ -116,36 +116,14 @@ std::optional<int> takeChannel(std::string& text)
     return std::nullopt;
 }
 
-// Numbers with commas between them; empty if the text is anything else.
-std::vector<double> classesOf(std::string_view text)
-{
-    std::vector<double> classes;
-    for (const char *at = text.data(), *const end = at + text.size();; ++at) {
-        double value = 0.0;
-        const auto [stop, error] = std::from_chars(at, end, value);
-        if (error != std::errc())
-            return {};
-        classes.push_back(value);
-        if (stop == end)
-            return classes;
-        if (*stop != ',')
-            return {};
-        at = stop;
-    }
-}
-
 // "A..B"; false, and nothing taken, for any other text.
 bool takeRange(Mask& mask, std::string_view word)
 {
-    const std::size_t dots = word.find("..");
-    if (dots == std::string_view::npos)
+    const std::optional<glm::dvec2> range = rangeOf(word);
+    if (!range)
         return false;
-    const std::vector<double> low = classesOf(word.substr(0, dots));
-    const std::vector<double> high = classesOf(word.substr(dots + 2));
-    if (low.size() != 1 || high.size() != 1 || low[0] == high[0])
-        return false;
-    mask.low = low[0];
-    mask.high = high[0];
+    mask.low = range->x;
+    mask.high = range->y;
     return true;
 }
 
@@ -356,8 +334,13 @@ std::string textOf(const Mask& mask)
 void loadImages(std::vector<Mask>& masks)
 {
     for (Mask& mask : masks) {
-        if (mask.source == Mask::Source::raster && mask.map == nullptr)
+        if (mask.source == Mask::Source::raster && mask.map == nullptr) {
+            std::error_code ignored;
+            if (const std::string trouble = rasterTrouble(mask.file);
+                !trouble.empty() && !std::filesystem::exists(mask.file, ignored))
+                fail(ErrorKind::usage, "mask \"{}{}\": {}", rasterText, mask.file, trouble);
             mask.map = std::make_shared<MapMask>(mask.file, mask.band, mask.classes, textOf(mask));
+        }
         if (mask.source != Mask::Source::texture || mask.image != nullptr)
             continue;
         for (const Mask& other : masks)

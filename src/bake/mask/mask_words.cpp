@@ -8,6 +8,9 @@
 #include <algorithm>
 #include <array>
 #include <cctype>
+#include <charconv>
+#include <cmath>
+#include <filesystem>
 #include <string_view>
 #include <vector>
 
@@ -92,7 +95,87 @@ std::string troubleBehind(const std::vector<std::string>& words, std::size_t fir
     return {};
 }
 
+// A word behind a map's name, wherever it stands.
+std::string troubleOfRasterWord(const std::string& word)
+{
+    if (word == "invert" || !classesOf(word).empty() || rangeOf(word))
+        return {};
+    const auto isAmong = [](std::string_view letters) {
+        return [letters](char c) { return letters.find(c) != std::string_view::npos; };
+    };
+    if (word.size() > 1 && word[0] == 'b' &&
+        std::all_of(word.begin() + 1, word.end(), isAmong("0123456789.-+"))) {
+        int band = 0;
+        const char* const end = word.data() + word.size();
+        const auto [stop, error] = std::from_chars(word.data() + 1, end, band);
+        return error == std::errc() && stop == end && band >= 1
+                   ? std::string()
+                   : fmt::format("\"{}\" is no band; the first one is b1", word);
+    }
+    if (word.find("..") != std::string::npos)
+        return fmt::format("\"{}\" is no range; A..B has two finite numbers that differ", word);
+    if (word.find(',') != std::string::npos ||
+        (!word.empty() && std::all_of(word.begin(), word.end(), isAmong("0123456789.-+e"))))
+        return fmt::format("\"{}\" is no list of values; V,V has finite numbers with commas "
+                           "between them",
+                           word);
+    return unknown(word, {"bN", "V,V", "A..B", "invert"});
+}
+
 } // namespace
+
+std::vector<double> classesOf(std::string_view text)
+{
+    std::vector<double> classes;
+    for (const char *at = text.data(), *const end = at + text.size();; ++at) {
+        double value = 0.0;
+        const auto [stop, error] = std::from_chars(at, end, value);
+        if (error != std::errc() || !std::isfinite(value))
+            return {};
+        classes.push_back(value);
+        if (stop == end)
+            return classes;
+        if (*stop != ',')
+            return {};
+        at = stop;
+    }
+}
+
+std::optional<glm::dvec2> rangeOf(std::string_view text)
+{
+    const std::size_t dots = text.find("..");
+    if (dots == std::string_view::npos)
+        return std::nullopt;
+    const std::vector<double> low = classesOf(text.substr(0, dots));
+    const std::vector<double> high = classesOf(text.substr(dots + 2));
+    if (low.size() != 1 || high.size() != 1 || low[0] == high[0] ||
+        !std::isfinite(high[0] - low[0]))
+        return std::nullopt;
+    return glm::dvec2(low[0], high[0]);
+}
+
+std::string rasterTrouble(const std::string& file)
+{
+    const std::vector<std::string> words = wordsOf(file);
+    std::string name;
+    std::size_t first = 0; // behind the file's name
+    for (std::size_t i = 0; i < words.size() && first == 0; ++i) {
+        name += (i == 0 ? "" : ":") + words[i];
+        const std::string lower = lowerCase(words[i]);
+        std::error_code ignored;
+        if (lower.ends_with(".tif") || lower.ends_with(".tiff") ||
+            std::filesystem::is_regular_file(name, ignored))
+            first = i + 1;
+    }
+    if (first == 0 || first == words.size())
+        return {};
+    for (std::size_t i = first; i < words.size(); ++i)
+        if (const std::string trouble = troubleOfRasterWord(words[i]); !trouble.empty())
+            return trouble;
+    return fmt::format("\"{}\" stands too early or twice; behind the file come bN, V,V or A..B, "
+                       "and invert, in this order",
+                       words[first]);
+}
 
 std::string maskTrouble(const std::string& text)
 {

@@ -323,6 +323,16 @@ class Maps(CliTest):
         said = self.sward("bake", "bare.tif", "--count", "10", "-o", "x.sward").stderr
         self.assertIn("names no coordinate system", said)
 
+    def test_words_behind_a_map_are_named(self):
+        self.tif("a.tif", HEIGHTS)
+        for words, names in (("30..30", ('"30..30" is no range',)), ("nan..1", ('"nan..1" is no range',)), ("0..inf", ("finite",)),
+                             ("b2:-1e308..1e308", ("is no range",)), ("a", ('"a" is not one of bN',)), ("30,,40", ('"30,,40"', "commas")),
+                             ("b0:30", ('"b0" is no band', "b1")), ("30:b1", ('"30" stands too early', "bN, V,V or A..B, and invert")), ("inverts", ("invert",))):
+            self.refused("bake", "a.tif", "--mask", f"raster:a.tif:{words}", "--count", "9", "-o", "x.sward", code=USAGE, names=("raster:a.tif", *names))
+        # A file may be called so.
+        shutil.copy(self.folder / "a.tif", self.folder / "a.tif:30..30")
+        self.sward("bake", "a.tif", "--mask", "raster:a.tif:30..30", "--count", "9", "-o", "x.sward", "-q")
+
     def test_without_the_library_maps_are_refused(self):
         self.tif("a.tif", HEIGHTS)
         # A copy of the program alone: nothing lies beside it.
