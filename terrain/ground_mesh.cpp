@@ -177,6 +177,7 @@ void append(GroundMesh& mesh, const GroundMesh& other)
     }
     mesh.heightCells =
         mesh.positions.empty() && mesh.origin == other.origin ? other.heightCells : nullptr;
+    mesh.hasPlace = mesh.hasPlace || other.hasPlace;
     mesh.hasColors = mesh.hasColors || other.hasColors;
     mesh.precision = std::max(mesh.precision, other.precision);
 

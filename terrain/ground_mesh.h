@@ -104,6 +104,7 @@ struct GroundMesh {
     std::uint32_t overview = 1;
 
     double precision = 0.0; ///< [m] to which vertices of open edges are taken for one; 0: exact
+    bool hasPlace = false;  ///< of a map that says where it lies: nothing may move it
     bool hasColors = false; ///< some vertex has a colour in the file
     bool hasNormals =
         false; ///< every vertex had a usable normal in the file; else topology makes them

@@ -31,6 +31,15 @@ namespace {
 
 constexpr std::uintmax_t sizeLimit = std::uintmax_t(4) << 30; // of any file [bytes]
 
+// Generated ground or heights, moved as the settings say, unless they lie on a map.
+GroundMesh movedBy(const ImportSettings& settings, GroundMesh mesh, const glm::dmat4& worldFromFile,
+                   const std::string& name)
+{
+    if (mesh.hasPlace)
+        requireUnmoved(settings, name);
+    return placed(std::move(mesh), worldFromFile, name);
+}
+
 GroundMesh loadFile(const std::filesystem::path& path, const ImportSettings& settings,
                     const glm::dmat4& worldFromFile, Diagnostics& diagnostics)
 {
@@ -59,14 +68,15 @@ GroundMesh loadFile(const std::filesystem::path& path, const ImportSettings& set
     if (isHeightmap(path)) {
         GroundMesh mesh = importHeightmap(path, settings.heightmap, diagnostics);
         mesh.attributes.addGeneratedGaps(settings.masks, mesh.triangles.size(), name);
-        return placed(std::move(mesh), worldFromFile, name);
+        return movedBy(settings, std::move(mesh), worldFromFile, name);
     }
     if (extension == ".json") {
         constexpr std::size_t recipeLimit = 1U << 20;
         const std::vector<std::byte> bytes = readFile(path, recipeLimit);
         const std::string_view text(reinterpret_cast<const char*>(bytes.data()), bytes.size());
-        return placed(makeFromRecipe(text, name, path.parent_path(), diagnostics, settings.masks),
-                      worldFromFile, name);
+        return movedBy(settings,
+                       makeFromRecipe(text, name, path.parent_path(), diagnostics, settings.masks),
+                       worldFromFile, name);
     }
     constexpr std::array<std::string_view, 9> models{".fbx",  ".blend", ".usd", ".usda", ".usdc",
                                                      ".usdz", ".dae",   ".3ds", ".max"};

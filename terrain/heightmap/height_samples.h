@@ -25,6 +25,7 @@ struct HeightSamples {
     bool isEncoded = false;  ///< they were colours
     glm::dvec2 step{0.0};    ///< [m] from sample to sample along x and z, if the file tells; else 0
     glm::dvec2 middle{0.0};  ///< [m] x and z in the world, if the file tells
+    bool hasPlace = false;   ///< GroundMesh::hasPlace
     std::string mapSystem{}; ///< GroundMesh::mapSystem
 };
 

@@ -81,6 +81,22 @@ void makeHoles(HeightSamples& samples, double noData, const std::string& place,
         diagnostics.warn("{}: no sample is {}: --no-data changes nothing", place, noData);
 }
 
+[[noreturn]] void failMoved(const char* option, const std::string& place)
+{
+    fail(
+        ErrorKind::usage,
+        "{}: says where it lies, and {} would move it; gdal_edit.py -a_ullr gives it another place",
+        place, option);
+}
+
+void requireUnmovedRows(const HeightmapSettings& settings, const std::string& place)
+{
+    if (settings.extent)
+        failMoved("--extent", place);
+    if (settings.flipRows)
+        failMoved("--flip-rows", place);
+}
+
 // [m] along x and z.
 glm::dvec2 extentOf(const HeightSamples& samples, const HeightmapSettings& settings,
                     const std::string& place, Diagnostics& diagnostics)
@@ -188,9 +204,23 @@ GroundMesh importHeightmap(const std::filesystem::path& path, const HeightmapSet
     return mesh;
 }
 
+void requireUnmoved(const ImportSettings& settings, const std::string& place)
+{
+    requireUnmovedRows(settings.heightmap, place);
+    const ImportSettings plain;
+    if (settings.upAxis != plain.upAxis)
+        failMoved("--up-axis", place);
+    if (settings.units != plain.units)
+        failMoved("--units", place);
+    if (settings.scale != plain.scale)
+        failMoved("--scale", place);
+}
+
 GroundMesh groundOf(HeightSamples&& samples, const HeightmapSettings& settings,
                     const std::string& place, Diagnostics& diagnostics)
 {
+    if (samples.hasPlace)
+        requireUnmovedRows(settings, place);
     if (settings.flipRows)
         flipRows(samples);
     if (settings.noData)
@@ -203,6 +233,7 @@ GroundMesh groundOf(HeightSamples&& samples, const HeightmapSettings& settings,
                           .cells = samples.size - 1U,
                           .middle = samples.middle};
     std::string mapSystem = std::move(samples.mapSystem);
+    const bool hasPlace = samples.hasPlace;
     const glm::dvec2 range = rangeOf(samples, settings, grid.extent, place, diagnostics);
     const std::vector<std::uint8_t> holes = holesOf(settings.holeMask, grid.cells, diagnostics);
 
@@ -219,6 +250,7 @@ GroundMesh groundOf(HeightSamples&& samples, const HeightmapSettings& settings,
                  highest);
     GroundMesh mesh = heightfield(grid, heights, holes, place);
     mesh.mapSystem = std::move(mapSystem);
+    mesh.hasPlace = hasPlace;
     return mesh;
 }
 

@@ -27,6 +27,10 @@ bool isMapRaster(const std::filesystem::path& path);
 GroundMesh importHeightmap(const std::filesystem::path& path, const HeightmapSettings& settings,
                            Diagnostics& diagnostics);
 
+/// Throws Error{usage} naming `place` and the setting that would move or turn over a map that says
+/// where it lies.
+void requireUnmoved(const ImportSettings& settings, const std::string& place);
+
 /// The ground of samples that have been read; `place` names them in messages.
 GroundMesh groundOf(HeightSamples&& samples, const HeightmapSettings& settings,
                     const std::string& place, Diagnostics& diagnostics);

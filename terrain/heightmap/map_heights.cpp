@@ -26,6 +26,7 @@ HeightSamples readMapHeights(const std::string& path, Diagnostics& diagnostics)
     samples.isMetric = true;
     samples.values = std::move(grid.values);
     if (grid.step.x > 0.0) {
+        samples.hasPlace = true;
         samples.step = grid.step;
         samples.middle = placeOf(grid).middle;
         samples.mapSystem = std::move(grid.system);

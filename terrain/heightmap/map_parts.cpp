@@ -2,6 +2,7 @@
 
 #include "core/error.h"
 #include "terrain/heightmap/height_samples.h"
+#include "terrain/heightmap/heightmap.h"
 #include "terrain/maps/map_places.h"
 
 #include <fmt/core.h>
@@ -105,6 +106,8 @@ MapHeights::MapHeights(const std::string& path, const ImportSettings& settings,
     if (range && !(range->x >= -highestOfMap && range->x <= range->y && range->y <= highestOfMap))
         fail(ErrorKind::usage, "{}: --height {}:{} is not a range inside [{}, {}] m", path,
              range->x, range->y, -highestOfMap, highestOfMap);
+    if (map.step.x > 0.0)
+        requireUnmoved(settings, path);
     grid_ = placeOf(map);
     if (!(std::max(grid_.extent.x, grid_.extent.y) <= longestOfMap))
         fail(ErrorKind::input, "{}: {:.6g} x {:.6g} m, more than {} m a side", path, grid_.extent.x,

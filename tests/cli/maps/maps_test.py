@@ -262,6 +262,7 @@ class Maps(CliTest):
         ground = json.loads(self.sward("info", "t.sward", "--json").stdout)
         self.assertGreater(ground["ground"]["triangles"], 1000)
         self.refused("plan", "large.tif", "--tiles", "4", "--count", "9", "-o", "p.json", code=UNSUPPORTED, names=("large.tif", "--count"))
+        self.refused("plan", "large.tif", "--tiles", "4", "--scale", "2", "-o", "p.json", code=USAGE, names=("large.tif", "--scale would move it"))
         # A file that changes after the plan is noticed.
         changed = gdal.Open(str(self.folder / "large.tif"), gdal.GA_Update)
         changed.GetRasterBand(1).WriteArray(HEIGHTS + 1, *at)
@@ -316,6 +317,8 @@ class Maps(CliTest):
                  (("a.tif", "--mask", "raster:none.tif:3"), IO, ("none.tif",)),
                  (("a.tif", "--exclude", "none.gpkg"), IO, ("none.gpkg",)),
                  (("a.tif", "--exclude", "text.geojson"), INPUT, ("text.geojson",)),
+                 *((("a.tif", *option), USAGE, ("a.tif", f"{option[0]} would move it")) for option in
+                   (("--extent", "50", "50"), ("--flip-rows",), ("--up-axis", "z"), ("--units", "cm"), ("--scale", "2"))),
                  (("plane", "--exclude", self.shapes("deg.geojson", "GeoJSON", 4326) + ":1"), INPUT, ("deg.geojson", "not in metres"))]
         for options, code, names in cases:
             with self.subTest(options):
