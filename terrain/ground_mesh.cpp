@@ -167,7 +167,6 @@ void append(GroundMesh& mesh, const GroundMesh& other)
         mesh.origin = other.origin;
         mesh.hasNormals = other.hasNormals;
         mesh.copyright = other.copyright;
-        mesh.mapSystem = other.mapSystem;
     } else {
         mesh.hasNormals = mesh.hasNormals && other.hasNormals;
         if (mesh.copyright.empty())
@@ -175,6 +174,8 @@ void append(GroundMesh& mesh, const GroundMesh& other)
         else if (!other.copyright.empty() && other.copyright != mesh.copyright)
             mesh.copyright += "; " + other.copyright;
     }
+    if (mesh.mapSystem.empty())
+        mesh.mapSystem = other.mapSystem;
     mesh.heightCells =
         mesh.positions.empty() && mesh.origin == other.origin ? other.heightCells : nullptr;
     mesh.hasPlace = mesh.hasPlace || other.hasPlace;

@@ -129,7 +129,8 @@ struct GroundMesh {
 /// importer and generator calls it last.
 void validate(const GroundMesh& mesh, const std::string& place);
 
-/// Appends `other`, shifted to the origin of `mesh`.
+/// Appends `other`, shifted to the origin of `mesh`. Both must be of one coordinate system, or one
+/// of none: then the other's holds.
 void append(GroundMesh& mesh, const GroundMesh& other);
 
 /// The origin for ground with these bounds in world space: their centre, rounded to 32 m.

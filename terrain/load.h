@@ -23,6 +23,7 @@ struct HeightmapSettings {
     std::string encoding{};             ///< terrarium or terrain-rgb, of a .png; "": none
     bool flipRows = false;              ///< the first row of the file lies at +z
     std::optional<double> noData{};     ///< sample value that stands for no height
+    std::string mapSystem{}; ///< a map is brought into this system (WKT); "": into its own
 };
 
 /// How to convert a file's ground to Sward's world: metres, Y up.

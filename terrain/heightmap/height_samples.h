@@ -98,8 +98,10 @@ void hintAtFewHeights(const HeightSamples& samples, const std::string& place,
 /// sample to sample around the origin.
 HeightGrid placeOf(const MapGrid& map);
 
-/// The first band of a GeoTIFF, in metres of its map (maps/map_grid.h).
-HeightSamples readMapHeights(const std::string& path, Diagnostics& diagnostics);
+/// The first band of a GeoTIFF, in metres of `system`, or of its map if that is empty
+/// (maps/map_grid.h).
+HeightSamples readMapHeights(const std::string& path, const std::string& system,
+                             Diagnostics& diagnostics);
 
 /// One channel of an OpenEXR image: Y, else Z, R, height, else the first. Non-finite values, common
 /// no-data values and samples whose channel A is below 0.5 become NaN; A below 0.5 everywhere is

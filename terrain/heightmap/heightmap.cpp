@@ -42,7 +42,7 @@ HeightSamples readSamples(const std::filesystem::path& path, const HeightmapSett
                                 file.bytes().size());
     HeightSamples samples;
     if (isMapRaster(path))
-        samples = readMapHeights(place, diagnostics);
+        samples = readMapHeights(place, settings.mapSystem, diagnostics);
     else if (extension == ".exr")
         samples = readExrHeights(file.bytes(), place, diagnostics);
     else if (extension == ".hgt")

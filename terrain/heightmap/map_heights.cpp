@@ -17,9 +17,13 @@ HeightGrid placeOf(const MapGrid& map)
     return grid;
 }
 
-HeightSamples readMapHeights(const std::string& path, Diagnostics& diagnostics)
+HeightSamples readMapHeights(const std::string& path, const std::string& system,
+                             Diagnostics& diagnostics)
 {
-    MapGrid grid = readMap(path, {.maxSamples = heightPointLimit}, heightsOption, diagnostics);
+    MapRequest request{.maxSamples = heightPointLimit};
+    if (!system.empty())
+        request.system = system;
+    MapGrid grid = readMap(path, request, heightsOption, diagnostics);
     requireHeightmapSize(grid.size.x, grid.size.y, path);
     HeightSamples samples;
     samples.size = grid.size;

@@ -98,9 +98,8 @@ public:
             place(diagnostics);
         else if (request_.system || request_.within)
             fail(ErrorKind::input,
-                 "{}: {}: says nowhere where it lies (no geotransform); gdal_edit.py -a_ullr "
-                 "sets it",
-                 option_, path_);
+                 "{}: says nowhere where it lies (no geotransform); gdal_edit.py -a_ullr sets it",
+                 named());
         else
             grid_.size = size_;
     }
@@ -133,6 +132,12 @@ public:
     }
 
 private:
+    // The file, behind the option that asks for it.
+    std::string named() const
+    {
+        return option_ == heightsOption ? path_ : fmt::format("{}: {}", option_, path_);
+    }
+
     void open()
     {
         prepareMaps();
@@ -189,9 +194,9 @@ private:
         if (request_.system && !request_.system->empty()) {
             if (own_ == nullptr)
                 fail(ErrorKind::input,
-                     "{}: {}: names no coordinate system, and the ground has one; gdal_edit.py "
+                     "{}: names no coordinate system, and the ground has one; gdal_edit.py "
                      "-a_srs EPSG:N sets it",
-                     option_, path_);
+                     named());
             return systemOf(*request_.system, path_);
         }
         if (own_ == nullptr) {

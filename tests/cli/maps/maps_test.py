@@ -117,6 +117,29 @@ class Maps(CliTest):
         self.assertLess(abs(rows["x"].mean()), 0.05 * wide)
         self.assertIn("not in metres", self.sward("bake", "deg.tif", "--count", "5", "-o", "x.sward").stderr)
 
+    def test_maps_are_joined_in_the_system_of_the_first(self):
+        self.tif("a.tif", HEIGHTS)
+        systems = []
+        for epsg in (UTM, 4326):
+            systems.append(osr.SpatialReference())
+            systems[-1].ImportFromEPSG(epsg)
+            systems[-1].SetAxisMappingStrategy(osr.OAMS_TRADITIONAL_GIS_ORDER)
+        longitude, latitude = osr.CoordinateTransformation(*systems).TransformPoint(EAST + 250, NORTH)[:2]
+        self.tif("deg.tif", np.full_like(HEIGHTS, 5), place=(longitude, 2e-5, 0, latitude, 0, -2e-5), epsg=4326)
+        rows = self.rows("a.tif", "deg.tif")
+        second = rows["y"] < 100
+        self.assertGreater(second.sum(), 300)
+        self.assert_on_heights(rows[~second], 0.03)
+        self.assertGreater(rows["x"][second].min(), EAST + 249)
+        self.assertLess(rows["x"][second].max(), EAST + 250 + 2e-5 * SIDE * 111_320)
+        self.assertLess(-rows["z"][second].max(), NORTH - 0.9 * 2e-5 * SIDE * 111_050)
+        self.tif("bare.tif", HEIGHTS, epsg=None)
+        for order in (("a.tif", "bare.tif"), ("bare.tif", "a.tif"), ("a.tif", "--occluder", "bare.tif")):
+            self.refused("bake", *order, "--count", "10", "-o", "x.sward", code=INPUT, names=("bare.tif", "names no coordinate system", "-a_srs"))
+        self.tif("b.tif", HEIGHTS)
+        said = self.sward("bake", "a.tif", "b.tif", "--count", "10", "-o", "x.sward").stderr
+        self.assertIn("lie on one another over 200 x 200 m: grass grows on both", said)
+
     def test_land_cover_is_a_mask_by_its_classes(self):
         cover = np.where(X < 50, 30, np.where(Y < 50, 40, 10)).astype("u1")
         self.tif("cover.tif", cover, kind="Byte")

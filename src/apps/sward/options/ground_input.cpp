@@ -13,6 +13,7 @@
 #include "terrain/loading/placement.h"
 #include "terrain/loading/plausibility.h"
 #include "terrain/loading/repeated_ground.h"
+#include "terrain/maps/map_places.h"
 
 #include <glm/common.hpp>
 
@@ -36,10 +37,12 @@ terrain::GroundMesh loadOne(const std::string& input, const terrain::ImportSetti
 }
 
 // Check modelled ground for orientation and units; generated ground and occluders need no check.
+// `system`: of the ground before it.
 terrain::GroundMesh loadBearing(const std::string& input, const BakeRequest& request,
-                                Diagnostics& diagnostics)
+                                const std::string& system, Diagnostics& diagnostics)
 {
     terrain::ImportSettings settings = request.import;
+    settings.heightmap.mapSystem = system;
     settings.mayMatchNothing = request.inputs.size() > 1;
     const GivenInputs& given = request.given;
     terrain::GroundMesh ground =
@@ -74,9 +77,24 @@ struct Placed {
     std::string input;
     glm::dvec3 low;
     glm::dvec3 high;
+    bool hasPlace = false; // says where it lies
+    std::string system;    // of a map
 };
 
-// A heightmap says nothing of its place: two of them lie around the same origin.
+// A map without a system, or without a place, may lie anywhere in the system of others.
+void requireOneSystem(const std::vector<Placed>& maps)
+{
+    const auto named =
+        std::ranges::find_if(maps, [](const Placed& map) { return !map.system.empty(); });
+    for (const Placed& map : maps)
+        if (named != maps.end() && map.system.empty() && terrain::isMapRaster(map.input))
+            fail(ErrorKind::input, "{}: {}, and {} is in {}; gdal_edit.py -{} sets it", map.input,
+                 map.hasPlace ? "names no coordinate system" : "says nowhere where it lies",
+                 named->input, terrain::systemName(named->system),
+                 map.hasPlace ? "a_srs EPSG:N" : "a_ullr");
+}
+
+// A heightmap that is no map says nothing of its place: two of them lie around the same origin.
 void warnOfOverlap(const std::vector<Placed>& maps, Diagnostics& diagnostics)
 {
     for (std::size_t i = 0; i < maps.size(); ++i)
@@ -84,10 +102,12 @@ void warnOfOverlap(const std::vector<Placed>& maps, Diagnostics& diagnostics)
             const glm::dvec3 low = glm::max(maps[i].low, maps[j].low);
             const glm::dvec3 high = glm::min(maps[i].high, maps[j].high);
             if (low.x < high.x && low.z < high.z)
-                diagnostics.warn(
-                    "{} and {} lie on one another over {:.6g} x {:.6g} m: a heightmap has no place "
-                    "of its own and lies around the origin; place them as nodes of a glTF",
-                    maps[j].input, maps[i].input, high.x - low.x, high.z - low.z);
+                diagnostics.warn("{} and {} lie on one another over {:.6g} x {:.6g} m: {}",
+                                 maps[j].input, maps[i].input, high.x - low.x, high.z - low.z,
+                                 maps[i].hasPlace && maps[j].hasPlace
+                                     ? "grass grows on both; gdal_merge.py joins them"
+                                     : "a heightmap without a map has no place of its own and lies "
+                                       "around the origin; place them as nodes of a glTF");
         }
 }
 
@@ -102,7 +122,8 @@ void requireMatches(const std::vector<std::string>& unmatched,
 Placed placeOf(const std::string& input, const terrain::GroundMesh& ground)
 {
     const Aabb box = ground.bounds();
-    return {input, ground.origin + glm::dvec3(box.low), ground.origin + glm::dvec3(box.high)};
+    return {input, ground.origin + glm::dvec3(box.low), ground.origin + glm::dvec3(box.high),
+            ground.hasPlace, ground.mapSystem};
 }
 
 void moveStrokes(const terrain::GroundMesh& ground, BakeRequest& request)
@@ -121,20 +142,21 @@ void moveStrokes(const terrain::GroundMesh& ground, BakeRequest& request)
 terrain::GroundMesh loadGround(BakeRequest& request, Diagnostics& diagnostics)
 {
     warnWithoutHeightmap(request, diagnostics);
-    terrain::GroundMesh ground = loadBearing(request.inputs.front(), request, diagnostics);
+    terrain::GroundMesh ground = loadBearing(request.inputs.front(), request, {}, diagnostics);
     std::vector<std::string> unmatched{terrain::unmatchedGlobs(ground, request.import)};
     std::vector<Placed> maps;
     if (!request.given.ground && terrain::isHeightmap(request.inputs.front()))
         maps.push_back(placeOf(request.inputs.front(), ground));
     for (std::size_t i = 1; i < request.inputs.size(); ++i) {
         const std::string& input = request.inputs[i];
-        const terrain::GroundMesh next = loadBearing(input, request, diagnostics);
+        const terrain::GroundMesh next = loadBearing(input, request, ground.mapSystem, diagnostics);
         unmatched.push_back(terrain::unmatchedGlobs(next, request.import));
         if (terrain::isHeightmap(input))
             maps.push_back(placeOf(input, next));
         terrain::append(ground, next);
     }
     requireMatches(unmatched, request.inputs);
+    requireOneSystem(maps);
     warnOfOverlap(maps, diagnostics);
     if (request.inputs.size() > 1)
         terrain::removeCoincident(ground, diagnostics);
@@ -147,7 +169,12 @@ terrain::GroundMesh loadGround(BakeRequest& request, Diagnostics& diagnostics)
     occluding.bareNames = false;
     occluding.masks = {};
     for (const std::string& file : request.occluders) {
+        occluding.heightmap.mapSystem = ground.mapSystem;
         terrain::GroundMesh occluder = loadOne(file, occluding, diagnostics);
+        if (terrain::isHeightmap(file)) {
+            maps.push_back(placeOf(file, occluder));
+            requireOneSystem(maps);
+        }
         std::fill(occluder.bears.begin(), occluder.bears.end(), std::uint8_t(0));
         terrain::append(ground, occluder);
     }
