@@ -225,6 +225,7 @@ private:
         const MapSystem target = targetSystem(diagnostics);
         toTarget_.emplace(own_, target, path_);
         toOwn_.emplace(target, own_, path_);
+        turn_ = turnOf(own_);
         grid_.system = wktOf(target);
         // What the file covers, in the target's metres.
         std::vector<glm::dvec2> edge = edgeOf({0, 0}, glm::dvec2(size_));
@@ -361,6 +362,20 @@ private:
         return 1.0;
     }
 
+    // From the grid's system to the file's. Longitudes turn towards the file's middle: PROJ gives
+    // them within half a turn of Greenwich, and files may reach beyond.
+    void applyToOwn(std::vector<glm::dvec2>& places) const
+    {
+        toOwn_->apply(places);
+        if (turn_ == 0.0)
+            return;
+        const double middle = placement_.place(0.5 * glm::dvec2(size_)).x;
+        for (glm::dvec2& place : places)
+            if (const double away = place.x - middle;
+                std::isfinite(away) && std::abs(away) > 0.5 * turn_)
+                place.x -= turn_ * std::round(away / turn_);
+    }
+
     // A part of the file, thinned.
     struct Source {
         std::vector<float> values;
@@ -378,7 +393,7 @@ private:
         const glm::dvec2 north = centre_ + west * grid_.step;
         std::vector<glm::dvec2> edge =
             edgeOf(north, north + glm::dvec2(part.count.x, -part.count.y) * grid_.step);
-        toOwn_->apply(edge);
+        applyToOwn(edge);
         for (glm::dvec2& point : edge)
             if (std::isfinite(point.x) && std::isfinite(point.y))
                 point = placement_.pixel(point);
@@ -400,7 +415,7 @@ private:
         for (std::size_t j = 0; j < rows; ++j) {
             for (std::size_t i = 0; i < columns; ++i)
                 row[i] = centre_ + (west + part.thin * glm::dvec2(i, -double(j))) * grid_.step;
-            toOwn_->apply(row);
+            applyToOwn(row);
             for (std::size_t i = 0; i < columns; ++i)
                 values[j * columns + i] = valueAt(source, placement_.pixel(row[i]) - 0.5);
         }
@@ -450,6 +465,7 @@ private:
     bool isDirect_ = false; // the grid's samples are the file's
     std::optional<MapChange> toTarget_;
     std::optional<MapChange> toOwn_;
+    double turn_ = 0.0; // turnOf() the file's system
     // Of a grid that is resampled: its middle, and its least and greatest whole steps from there.
     glm::dvec2 centre_{0.0};
     glm::dvec2 low_{0.0};

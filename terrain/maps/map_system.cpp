@@ -9,6 +9,7 @@
 
 #include <limits>
 #include <mutex>
+#include <numbers>
 
 namespace sward::terrain {
 
@@ -60,6 +61,13 @@ bool isInMetres(const MapSystem& system)
 {
     return system != nullptr && OSRIsGeographic(system.get()) == 0 &&
            OSRIsGeocentric(system.get()) == 0 && OSRGetLinearUnits(system.get(), nullptr) == 1.0;
+}
+
+double turnOf(const MapSystem& system)
+{
+    if (system == nullptr || OSRIsGeographic(system.get()) == 0)
+        return 0.0;
+    return 2.0 * std::numbers::pi / OSRGetAngularUnits(system.get(), nullptr);
 }
 
 std::string nameOf(const MapSystem& system)

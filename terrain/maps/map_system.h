@@ -33,6 +33,9 @@ std::string wktOf(const MapSystem& system);
 /// Whether its coordinates are metres on a plane.
 bool isInMetres(const MapSystem& system);
 
+/// A whole turn in its longitudes: 360 in degrees; 0 if it has none.
+double turnOf(const MapSystem& system);
+
 /// What it is called, as "WGS 84 / UTM zone 33N".
 std::string nameOf(const MapSystem& system);
 

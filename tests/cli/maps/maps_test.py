@@ -110,11 +110,13 @@ class Maps(CliTest):
     def test_degrees_become_metres_around_the_middle(self):
         # Squares of a thousandth of a degree at 60° north are half as wide as high.
         d = 1e-4
-        rows = self.rows(self.tif("deg.tif", HEIGHTS, place=(25.0, d, 0, 60.0, 0, -d), epsg=4326))
         wide, high = SIDE * d * 111_412.84 * math.cos(math.radians(60.0 - SIDE * d / 2)), SIDE * d * 111_412.24
-        self.assertAlmostEqual(np.ptp(rows["x"]), wide, delta=0.03 * wide)
-        self.assertAlmostEqual(np.ptp(rows["z"]), high, delta=0.03 * high)
-        self.assertLess(abs(rows["x"].mean()), 0.05 * wide)
+        # The second and the third lie across 180°.
+        for west in (180.0 - SIDE * d / 3, SIDE * d / 3 - 360.0, 25.0):
+            rows = self.rows(self.tif("deg.tif", HEIGHTS, place=(west, d, 0, 60.0, 0, -d), epsg=4326))
+            self.assertAlmostEqual(np.ptp(rows["x"]), wide, delta=0.03 * wide)
+            self.assertAlmostEqual(np.ptp(rows["z"]), high, delta=0.03 * high)
+            self.assertLess(abs(rows["x"].mean()), 0.05 * wide)
         self.assertIn("not in metres", self.sward("bake", "deg.tif", "--count", "5", "-o", "x.sward").stderr)
 
     def test_maps_are_joined_in_the_system_of_the_first(self):
