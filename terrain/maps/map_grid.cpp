@@ -165,6 +165,11 @@ private:
         if (hasPlace_ && !(std::abs(placement_.determinant()) > 0.0))
             fail(ErrorKind::input, "{}: its geotransform gives pixels no area", path_);
         own_ = systemOf(GDALGetSpatialRef(file_.get()));
+        if (own_ != nullptr && OSRIsGeocentric(own_.get()) != 0)
+            fail(ErrorKind::input,
+                 "{}: is in {}, which is geocentric: no coordinates of a map; gdal_edit.py "
+                 "-a_srs EPSG:N sets the one that it is in",
+                 path_, nameOf(own_));
     }
 
     bool isCategory() const { return !request_.classes.empty(); }
@@ -213,9 +218,10 @@ private:
                  option_, path_, nameOf(own_));
         const glm::dvec2 middle = placement_.place(0.5 * glm::dvec2(size_));
         MapSystem local = localSystem(own_, middle, path_);
+        const glm::dvec2 degrees = MapChange(own_, systemOf("EPSG:4326", path_), path_).at(middle);
         diagnostics.warn("{}: {} is not in metres; the ground is in those of a transverse "
-                         "Mercator at its middle, {:.6g}, {:.6g}",
-                         path_, nameOf(own_), middle.x, middle.y);
+                         "Mercator at its middle, longitude {:.6f}, latitude {:.6f}",
+                         path_, nameOf(own_), degrees.x, degrees.y);
         return local;
     }
 
@@ -234,7 +240,7 @@ private:
         toTarget_->apply(edge);
         covered_ = boundsOf(edge);
         if (!(covered_.low.x < covered_.high.x && covered_.low.y < covered_.high.y))
-            fail(ErrorKind::input, "{}: lies nowhere in the coordinate system {}", path_,
+            fail(ErrorKind::input, "{}: is in {}, and lies nowhere in {}", path_, nameOf(own_),
                  nameOf(target));
         isDirect_ = toTarget_->handle() == nullptr && placement_.isNorthUp();
         if (isDirect_) {

@@ -72,8 +72,17 @@ double turnOf(const MapSystem& system)
 
 std::string nameOf(const MapSystem& system)
 {
-    const char* const name = system != nullptr ? OSRGetName(system.get()) : nullptr;
-    return name != nullptr && *name != '\0' ? name : "without a name";
+    const char* const own = system != nullptr ? OSRGetName(system.get()) : nullptr;
+    const std::string name = own != nullptr ? own : "";
+    // What is made of a PROJ string is called "unknown".
+    char* text = nullptr;
+    if (system != nullptr && (name.empty() || name == "unknown") &&
+        OSRExportToProj4(system.get(), &text) == OGRERR_NONE && text != nullptr && *text != '\0') {
+        const std::string proj(text);
+        CPLFree(text);
+        return proj;
+    }
+    return name.empty() ? "a system without a name" : name;
 }
 
 bool isSame(const MapSystem& a, const MapSystem& b)

@@ -36,7 +36,7 @@ bool isInMetres(const MapSystem& system);
 /// A whole turn in its longitudes: 360 in degrees; 0 if it has none.
 double turnOf(const MapSystem& system);
 
-/// What it is called, as "WGS 84 / UTM zone 33N".
+/// What it is called, as "WGS 84 / UTM zone 33N"; a PROJ string without a name.
 std::string nameOf(const MapSystem& system);
 
 bool isSame(const MapSystem& a, const MapSystem& b);

@@ -117,6 +117,9 @@ class Maps(CliTest):
             self.assertAlmostEqual(np.ptp(rows["x"]), wide, delta=0.03 * wide)
             self.assertAlmostEqual(np.ptp(rows["z"]), high, delta=0.03 * high)
             self.assertLess(abs(rows["x"].mean()), 0.05 * wide)
+        self.tif("feet.tif", HEIGHTS, place=(6e6, 3, 0, 2.1e6, 0, -3), epsg=2227)
+        said = self.sward("bake", "feet.tif", "--count", "5", "-o", "y.sward").stderr
+        self.assertRegex(said, r"feet.tif: .*ftUS.* at its middle, longitude -122\.\d{6}, latitude 37\.\d{6}")
         self.assertIn("not in metres", self.sward("bake", "deg.tif", "--count", "5", "-o", "x.sward").stderr)
 
     def test_maps_are_joined_in_the_system_of_the_first(self):
@@ -344,6 +347,7 @@ class Maps(CliTest):
                  (("a.tif", "--exclude", "text.geojson"), INPUT, ("text.geojson",)),
                  *((("a.tif", *option), USAGE, ("a.tif", f"{option[0]} would move it")) for option in
                    (("--extent", "50", "50"), ("--flip-rows",), ("--up-axis", "z"), ("--units", "cm"), ("--scale", "2"))),
+                 ((self.tif("round.tif", HEIGHTS, epsg=4978),), INPUT, ("round.tif", "WGS 84", "geocentric")),
                  (("plane", "--exclude", self.shapes("deg.geojson", "GeoJSON", 4326) + ":1"), INPUT, ("deg.geojson", "not in metres"))]
         for options, code, names in cases:
             with self.subTest(options):
