@@ -1,6 +1,7 @@
 #include "terrain/maps/map_grid.h"
 
 #include "core/error.h"
+#include "core/lower_case.h"
 #include "terrain/maps/map_reader.h"
 #include "terrain/maps/map_system.h"
 
@@ -12,7 +13,10 @@
 #include <array>
 #include <cmath>
 #include <filesystem>
+#include <initializer_list>
 #include <limits>
+#include <string_view>
+#include <utility>
 
 namespace sward::terrain {
 namespace {
@@ -78,6 +82,51 @@ std::string textOfBounds(const MapBounds& bounds)
                        bounds.low.y, bounds.high.y);
 }
 
+using Units = std::initializer_list<std::pair<std::string_view, double>>;
+
+// [m] of a unit; none: it is none of these.
+std::optional<double> metresOf(const std::string& unit, Units units)
+{
+    for (const auto& [name, metres] : units)
+        if (lowerCase(unit) == name)
+            return metres;
+    return std::nullopt;
+}
+
+std::optional<double> feetOf(const std::string& unit)
+{
+    constexpr double foot = 0.3048, surveyFoot = 1200.0 / 3937.0;
+    return metresOf(unit, {{"ft", foot},
+                           {"foot", foot},
+                           {"feet", foot},
+                           {"international foot", foot},
+                           {"us survey foot", surveyFoot},
+                           {"us survey feet", surveyFoot},
+                           {"ftus", surveyFoot},
+                           {"foot_us", surveyFoot},
+                           {"us-ft", surveyFoot}});
+}
+
+std::optional<double> metricOf(const std::string& unit)
+{
+    return metresOf(unit, {{"", 1.0},
+                           {"m", 1.0},
+                           {"metre", 1.0},
+                           {"metres", 1.0},
+                           {"meter", 1.0},
+                           {"meters", 1.0},
+                           {"dm", 0.1},
+                           {"cm", 0.01},
+                           {"centimetre", 0.01},
+                           {"centimeter", 0.01},
+                           {"mm", 0.001},
+                           {"millimetre", 0.001},
+                           {"millimeter", 0.001},
+                           {"km", 1000.0},
+                           {"kilometre", 1000.0},
+                           {"kilometer", 1000.0}});
+}
+
 // The part of a raster's grid that is wanted.
 struct GridPart {
     glm::dvec2 from{0.0};  // whole column and row
@@ -93,7 +142,10 @@ public:
         , option_(std::move(option))
     {
         open();
-        takeClasses();
+        if (isCategory())
+            takeClasses();
+        else
+            takeNumbers(diagnostics);
         if (hasPlace_)
             place(diagnostics);
         else if (request_.system || request_.within)
@@ -192,6 +244,34 @@ private:
             classes_.push_back(isFloat ? single : value);
         }
         std::ranges::sort(classes_);
+    }
+
+    // Scale, offset and unit of numbers.
+    void takeNumbers(Diagnostics& diagnostics)
+    {
+        int hasScale = 0, hasOffset = 0;
+        const double scale = GDALGetRasterScale(band_, &hasScale),
+                     offset = GDALGetRasterOffset(band_, &hasOffset);
+        scale_ = hasScale != 0 ? scale : 1.0;
+        offset_ = hasOffset != 0 ? offset : 0.0;
+        if (!std::isfinite(scale_) || !std::isfinite(offset_))
+            fail(ErrorKind::input,
+                 "{}: band {} has the scale {} and the offset {}, which must be finite; "
+                 "gdal_edit.py -scale and -offset set them",
+                 named(), request_.band, scale_, offset_);
+        if (scale_ == 0.0)
+            diagnostics.warn("{}: band {} has the scale 0: each value is its offset, {}", path_,
+                             request_.band, offset_);
+        const std::string name = GDALGetRasterUnitType(band_);
+        // Millimetres of rain are no height.
+        std::optional<double> metres = feetOf(name);
+        if (!metres && option_ == heightsOption)
+            metres = metricOf(name);
+        metres_ = metres.value_or(1.0);
+        if (!metres && option_ == heightsOption)
+            diagnostics.warn("{}: its heights are in \"{}\", which is not a known unit; they are "
+                             "taken for metres",
+                             path_, name);
     }
 
     MapSystem targetSystem(Diagnostics& diagnostics) const
@@ -323,14 +403,9 @@ private:
                   width = static_cast<int>(part.count.x), height = static_cast<int>(part.count.y),
                   thin = static_cast<int>(part.thin);
         const auto columns = static_cast<std::size_t>((width + thin - 1) / thin);
-        int hasScale = 0, hasOffset = 0;
-        const double scale = GDALGetRasterScale(band_, &hasScale),
-                     offset = GDALGetRasterOffset(band_, &hasOffset);
-        const bool changes =
-            !isCategory() && ((hasScale != 0 && scale != 1.0) || (hasOffset != 0 && offset != 0.0));
+        const bool changes = scale_ != 1.0 || offset_ != 0.0;
         const bool isMasked = (GDALGetMaskFlags(band_) & GMF_ALL_VALID) == 0;
         const GDALRasterBandH mask = isMasked ? GDALGetMaskBand(band_) : nullptr;
-        const double metres = unit();
         // Row by row: double precision is needed for one row at a time.
         std::vector<double> row(static_cast<std::size_t>(width));
         std::vector<std::uint8_t> valid(row.size(), 255);
@@ -344,28 +419,15 @@ private:
             float* const out = values.data() + std::size_t(j / thin) * columns;
             for (std::size_t i = 0; i < columns; ++i) {
                 const std::size_t from = i * std::size_t(thin);
-                const double value = changes ? row[from] * scale + offset : row[from];
+                const double value = changes ? row[from] * scale_ + offset_ : row[from];
                 if (valid[from] == 0 || !std::isfinite(value))
                     out[i] = none;
                 else if (isCategory())
                     out[i] = std::ranges::binary_search(classes_, value) ? 1.0f : 0.0f;
                 else
-                    out[i] = static_cast<float>(value * metres);
+                    out[i] = static_cast<float>(value * metres_);
             }
         }
-    }
-
-    // [m] of one, for heights in feet.
-    double unit() const
-    {
-        const std::string name = GDALGetRasterUnitType(band_);
-        if (isCategory() || name.empty())
-            return 1.0;
-        if (name == "ft" || name == "foot" || name == "feet" || name == "Foot")
-            return 0.3048;
-        if (name == "US survey foot" || name == "ftUS" || name == "foot_us" || name == "us-ft")
-            return 1200.0 / 3937.0;
-        return 1.0;
     }
 
     // From the grid's system to the file's. Longitudes turn towards the file's middle: PROJ gives
@@ -462,6 +524,9 @@ private:
     MapFile file_;
     GDALRasterBandH band_ = nullptr;
     std::vector<double> classes_; // rising
+    double scale_ = 1.0;
+    double offset_ = 0.0;
+    double metres_ = 1.0; // of a unit
     glm::uvec2 size_{0U};
     Placement placement_;
     bool hasPlace_ = false;

@@ -100,7 +100,12 @@ class Maps(CliTest):
     def test_integers_with_scale_and_offset_feet_and_missing_samples(self):
         whole = np.round((HEIGHTS - 300) * 100).astype("i2")
         self.assert_on_heights(self.rows(self.tif("i.tif", whole, kind="Int16", scale=0.01, offset=300.0)), 0.04)
-        self.assert_on_heights(self.rows(self.tif("ft.tif", HEIGHTS / 0.3048, unit="ft")), 0.03)
+        for unit, metres in (("ft", 0.3048), ("Centimetre", 0.01)):
+            self.assert_on_heights(self.rows(self.tif("ft.tif", HEIGHTS / metres, unit=unit)), 0.03)
+        self.tif("odd.tif", HEIGHTS, unit="furlong")
+        self.assertIn('odd.tif: its heights are in "furlong"', self.sward("bake", "odd.tif", "--count", "9", "-o", "x.sward").stderr)
+        self.tif("nan.tif", HEIGHTS, scale=math.nan, offset=3)
+        self.refused("bake", "nan.tif", "--count", "9", "-o", "y.sward", code=INPUT, names=("nan.tif", "the scale nan and the offset 3"))
         holed = HEIGHTS.copy()
         holed[:, :50] = -7
         rows = self.rows(self.tif("hole.tif", holed, no_data=-7))
