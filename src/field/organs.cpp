@@ -55,9 +55,9 @@ Organ parseOrgan(const json& object, const std::string& place)
     reader.read("name", organ.name);
     reader.read("count", count, 1, static_cast<int>(shared::maxRibbons));
     organ.count = static_cast<std::uint32_t>(count);
-    reader.readRange("place", organ.place, 0.0, 1.0);
-    reader.readRange("pitch_deg", organ.pitch, 0.0, 180.0);
-    reader.readRange("length", organ.length, 1e-4, 1.0);
+    reader.readEnds("place", organ.place, 0.0, 1.0);
+    reader.readEnds("pitch_deg", organ.pitch, 0.0, 180.0);
+    reader.readEnds("length", organ.length, 1e-4, 1.0);
     reader.read("width", organ.width, 1e-4, 2.0);
     reader.read("azimuth_deg", organ.azimuth, -360.0, 360.0);
     reader.read("turn_deg", organ.turn, -360.0, 360.0);

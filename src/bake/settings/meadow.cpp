@@ -27,14 +27,6 @@ using nlohmann::json;
 
 constexpr std::array<std::string_view, 3> facingNames{"outward", "shared", "free"};
 
-// Reads a range [low, high] within the given bounds.
-void readRange(SettingsReader& reader, const char* key, glm::dvec2& range, double low, double high)
-{
-    reader.readRange(key, range, low, high);
-    if (range.x > range.y)
-        fail(ErrorKind::input, "{}: {} is above {}", reader.placeOf(key), range.x, range.y);
-}
-
 // Reads a soft range from a text such as "0:30~5", or from its two ends.
 void readSoft(SettingsReader& reader, const char* key, SoftRange& range)
 {
@@ -43,7 +35,7 @@ void readSoft(SettingsReader& reader, const char* key, SoftRange& range)
     const json& value = reader.child(key);
     if (value.is_array()) {
         glm::dvec2 ends(0.0);
-        readRange(reader, key, ends, -unbounded, unbounded);
+        reader.readRange(key, ends, -unbounded, unbounded);
         range.low = ends.x;
         range.high = ends.y;
         return;
@@ -111,9 +103,9 @@ SpeciesTraits parseSpecies(const json& object, const std::string& place)
     readSoft(reader, "altitude", species.habitat.altitude);
     readSoft(reader, "curvature", species.habitat.curvature);
     readMasks(reader, "mask", species.habitat.masks);
-    readRange(reader, "height_m", species.height, 1e-6, 1e4);
-    readRange(reader, "width_m", species.width, 1e-7, 1e3);
-    readRange(reader, "stiffness", species.stiffness, 0.0, 1.0);
+    reader.readRange("height_m", species.height, 1e-6, 1e4);
+    reader.readRange("width_m", species.width, 1e-7, 1e3);
+    reader.readRange("stiffness", species.stiffness, 0.0, 1.0);
     reader.read("clumping", species.clumping, 0.0, 1.0);
     species.facing = static_cast<Facing>(
         reader.readWord("facing", facingNames, static_cast<std::uint32_t>(species.facing)));

@@ -145,16 +145,16 @@ void SettingsReader::read(const char* key, glm::dvec3& value, double low, double
 }
 
 template <typename Vec>
-void SettingsReader::readEnds(const char* key, Vec& range, double low, double high)
+void SettingsReader::readBoth(const char* key, Vec& ends, double low, double high)
 {
     const nlohmann::json* const found = find(key);
     if (found == nullptr)
         return;
     if (found->is_number())
-        range = Vec(static_cast<typename Vec::value_type>(
-            readNumber(*found, placeOf(key), low, high)));
+        ends =
+            Vec(static_cast<typename Vec::value_type>(readNumber(*found, placeOf(key), low, high)));
     else if (found->is_array() && found->size() == 2)
-        readVector(*found, placeOf(key), low, high, range);
+        readVector(*found, placeOf(key), low, high, ends);
     else
         fail(ErrorKind::input, "{}: expected a number or an array of 2 numbers, found {}",
              placeOf(key), shown(*found));
@@ -162,12 +162,14 @@ void SettingsReader::readEnds(const char* key, Vec& range, double low, double hi
 
 void SettingsReader::readRange(const char* key, glm::dvec2& range, double low, double high)
 {
-    readEnds(key, range, low, high);
+    readBoth(key, range, low, high);
+    if (range.x > range.y)
+        fail(ErrorKind::input, "{}: {} is above {}", placeOf(key), range.x, range.y);
 }
 
-void SettingsReader::readRange(const char* key, glm::vec2& range, double low, double high)
+void SettingsReader::readEnds(const char* key, glm::vec2& ends, double low, double high)
 {
-    readEnds(key, range, low, high);
+    readBoth(key, ends, low, high);
 }
 
 void SettingsReader::readColor(const char* key, glm::vec3& color, double low, double high)
@@ -264,8 +266,7 @@ std::optional<glm::vec3> colorOfHex(std::string_view text)
         const double encoded = byte / 255.0;
         const double linear =
             encoded <= 0.04045 ? encoded / 12.92 : std::pow((encoded + 0.055) / 1.055, 2.4);
-        color[static_cast<glm::length_t>(i)] =
-            static_cast<float>(std::round(linear * 1e6) / 1e6);
+        color[static_cast<glm::length_t>(i)] = static_cast<float>(std::round(linear * 1e6) / 1e6);
     }
     return color;
 }

@@ -35,9 +35,12 @@ public:
     void read(const char* key, glm::vec3& value, double low, double high);
     void read(const char* key, glm::dvec3& value, double low, double high);
 
-    /// The same of a range: an array of its two ends, or one number that is both.
-    void readRange(const char* key, glm::vec2& range, double low, double high);
+    /// The same of a range: an array of its two ends, the lower one first, or one number that is
+    /// both. Throws Error{input} with both if the first is above the second.
     void readRange(const char* key, glm::dvec2& range, double low, double high);
+
+    /// The same of the values at two ends, in any order, or one number that is both.
+    void readEnds(const char* key, glm::vec2& ends, double low, double high);
 
     /// The same of a colour of linear light: three numbers, or an sRGB colour as "#rrggbb".
     void readColor(const char* key, glm::vec3& color, double low, double high);
@@ -64,7 +67,7 @@ public:
 private:
     const nlohmann::json* find(const char* key);
     template <typename Vec>
-    void readEnds(const char* key, Vec& range, double low, double high);
+    void readBoth(const char* key, Vec& ends, double low, double high);
 
     const nlohmann::json& object_;
     std::string place_;

@@ -125,7 +125,7 @@ TEST(ColorOfHex, IsLinearLightOfAnSrgbColor)
 TEST(SettingsReader, TakesOneNumberForARangeAndATextForAColor)
 {
     const auto object = parseJson(
-        R"({"one": 2, "two": [1, 3], "three": [1, 2, 3], "color": "#ff0080", "numbers": [0, 0.5, 1],
+        R"({"one": 2, "two": [1, 3], "three": [1, 2, 3], "down": [3, 1], "color": "#ff0080", "numbers": [0, 0.5, 1],
             "name": "green"})",
         "f");
     SettingsReader reader(object, "f");
@@ -136,6 +136,10 @@ TEST(SettingsReader, TakesOneNumberForARangeAndATextForAColor)
     reader.readRange("two", range, 0.0, 10.0);
     EXPECT_EQ(range, glm::dvec2(1.0, 3.0));
     EXPECT_THROW(reader.readRange("three", range, 0.0, 10.0), Error);
+    EXPECT_THROW(reader.readRange("down", range, 0.0, 10.0), Error);
+    glm::vec2 ends(0.0f);
+    reader.readEnds("down", ends, 0.0, 10.0);
+    EXPECT_EQ(ends, glm::vec2(3.0f, 1.0f));
     EXPECT_THROW(reader.readRange("one", range, 3.0, 10.0), Error);
     reader.readColor("color", color, 0.0, 1.0);
     EXPECT_EQ(color, glm::vec3(1.0f, 0.0f, 0.215861f));
