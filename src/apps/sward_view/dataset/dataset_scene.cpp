@@ -80,9 +80,8 @@ void readSky(SettingsReader& outer, DatasetScene& scene)
     if (!outer.has("sun"))
         return;
     SettingsReader reader(outer.child("sun"), outer.placeOf("sun"));
-    scene.sunHeight = glm::dvec2(30.0, 60.0);
-    reader.readRange("height_deg", *scene.sunHeight, -5.0, 90.0);
-    reader.readRange("heading_deg", scene.sunHeading, -360.0, 360.0);
+    readOptional(reader, "height_deg", scene.sunHeight, -5.0, 90.0);
+    readOptional(reader, "heading_deg", scene.sunHeading, -360.0, 360.0);
     reader.finish();
 }
 

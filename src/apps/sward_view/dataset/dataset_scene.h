@@ -49,10 +49,10 @@ struct DatasetScene {
     double jitter = 0.0;      ///< [m] of the eye, to each side
     double jitterAngle = 0.0; ///< [degrees] of the view on a path
 
-    std::optional<glm::dvec2> sunHeight;    ///< [degrees]; unset: the settings' sun
-    glm::dvec2 sunHeading{0.0, 360.0};      ///< [degrees] clockwise from north
+    std::optional<glm::dvec2> sunHeight;    ///< [degrees]; unset: that of the settings' sun
+    std::optional<glm::dvec2> sunHeading;   ///< [degrees] clockwise from north; unset: likewise
     std::optional<glm::dvec2> windStrength; ///< as --wind-strength; unset: the field's
-    glm::dvec2 time{0.0, 60.0};             ///< [s] of the wind
+    glm::dvec2 time{0.0, 60.0};             ///< [s] of the wind in the frame
     double step = 1.0 / 60.0;               ///< [s] between a frame and its neighbours, for flow
     std::uint32_t settling = 4;             ///< frames before, whose motion a frame has
     double minArea = 64.0;                  ///< [pixels] of an object

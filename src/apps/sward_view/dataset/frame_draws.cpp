@@ -187,13 +187,18 @@ DrawnFrame FrameDraws::draw(std::uint64_t frame) const
                      .camera = cameraAt(0.0),
                      .next = cameraAt(scene_.step),
                      .settings = settings_};
-    // Frames before it, which let the blades swing, are not before time 0.
-    drawn.time = double(scene_.settling) * scene_.step + between(scene_.time, frame, ofTime);
-    if (scene_.sunHeight) {
-        const double height = glm::radians(between(*scene_.sunHeight, frame, ofSunHeight));
-        drawn.settings.sunDirection = glm::vec3(
-            std::cos(height) * headingOf(between(scene_.sunHeading, frame, ofSunHeading)) +
-            std::sin(height) * up_);
+    drawn.time = between(scene_.time, frame, ofTime);
+    if (scene_.sunHeight || scene_.sunHeading) {
+        const glm::dvec3 stated = glm::normalize(glm::dvec3(settings_.sunDirection));
+        const double height = scene_.sunHeight
+                                  ? glm::radians(between(*scene_.sunHeight, frame, ofSunHeight))
+                                  : std::asin(std::clamp(glm::dot(stated, up_), -1.0, 1.0));
+        const double heading =
+            scene_.sunHeading
+                ? between(*scene_.sunHeading, frame, ofSunHeading)
+                : glm::degrees(std::atan2(glm::dot(stated, east_), glm::dot(stated, north_)));
+        drawn.settings.sunDirection =
+            glm::vec3(std::cos(height) * headingOf(heading) + std::sin(height) * up_);
     }
     if (scene_.windStrength) {
         drawn.windStrength = between(*scene_.windStrength, frame, ofWind);
