@@ -43,8 +43,30 @@ void readFields(SettingsReader& reader, DatasetScene& scene)
         if (!name.is_string())
             fail(ErrorKind::input, "{}: expected names of fields, found {}",
                  reader.placeOf("fields"), name.type_name());
+        if (name.get_ref<const std::string&>().empty())
+            fail(ErrorKind::input, "{}: expected names of fields, found \"\"",
+                 reader.placeOf("fields"));
         scene.fields.push_back(besideScene(scene, name.get<std::string>()));
     }
+}
+
+/// Reads the name of a file in the scene's folder; empty if the key is absent.
+void readFileName(SettingsReader& reader, const char* key, const DatasetScene& scene,
+                  std::string& name)
+{
+    reader.read(key, name);
+    if (!reader.has(key))
+        return;
+    if (name.empty())
+        fail(ErrorKind::input, "{}: expected the name of a file, found \"\"", reader.placeOf(key));
+    name = besideScene(scene, name);
+}
+
+/// Refuses a key that another one makes meaningless.
+void refuseBeside(SettingsReader& reader, const char* key, std::string_view why)
+{
+    if (reader.has(key))
+        fail(ErrorKind::input, "{}: means nothing {}", reader.placeOf(key), why);
 }
 
 void readOptional(SettingsReader& reader, const char* key, std::optional<glm::dvec2>& range,
@@ -62,6 +84,10 @@ void readCameras(SettingsReader& outer, DatasetScene& scene)
     if (!outer.has("cameras"))
         return;
     SettingsReader reader(outer.child("cameras"), outer.placeOf("cameras"));
+    if (outer.has("path"))
+        for (const char* key : {"height_m", "pitch_deg", "heading_deg", "roll_deg", "fov_y_deg",
+                                "speed_m_s", "turn_deg_s", "x_m", "z_m"})
+            refuseBeside(reader, key, "beside \"path\", which gives the cameras");
     DatasetScene::Cameras& cameras = scene.cameras;
     reader.readRange("height_m", cameras.height, 0.0, 1e5);
     reader.readRange("pitch_deg", cameras.pitch, -89.0, 89.0);
@@ -112,6 +138,8 @@ void readPictures(SettingsReader& reader, DatasetScene& scene)
         scene.layers = parseLayers(reader.placeOf("layers"), layers);
     constexpr std::array<std::string_view, 3> formats{"exr", "npz", "png"};
     scene.format = static_cast<DatasetFormat>(reader.readWord("format", formats, 0));
+    if (scene.format != DatasetFormat::exr)
+        refuseBeside(reader, "compressed", "beside a \"format\" other than \"exr\"");
     reader.read("compressed", scene.isCompressed);
 }
 
@@ -141,9 +169,10 @@ DatasetScene readDatasetScene(const std::filesystem::path& file)
     reader.read("seed", seed, 0, 2'000'000'000);
     scene.seed = static_cast<std::uint64_t>(seed);
     readCameras(reader, scene);
-    reader.read("path", scene.path);
-    if (!scene.path.empty())
-        scene.path = besideScene(scene, scene.path);
+    readFileName(reader, "path", scene, scene.path);
+    if (scene.path.empty())
+        for (const char* key : {"path_step_s", "jitter_deg"})
+            refuseBeside(reader, key, "without \"path\"");
     reader.read("path_step_s", scene.pathStep, 0.0, 1e6);
     reader.read("jitter_m", scene.jitter, 0.0, 1e3);
     reader.read("jitter_deg", scene.jitterAngle, 0.0, 45.0);
@@ -155,9 +184,7 @@ DatasetScene readDatasetScene(const std::filesystem::path& file)
     reader.read("settling_frames", settling, 1, 1000);
     scene.settling = static_cast<std::uint32_t>(settling);
     readObjects(reader, scene);
-    reader.read("settings", scene.settings);
-    if (!scene.settings.empty())
-        scene.settings = besideScene(scene, scene.settings);
+    readFileName(reader, "settings", scene, scene.settings);
     reader.finish();
     return scene;
 }
