@@ -50,6 +50,45 @@ bool isAmong(const Names& names, std::string_view name)
     return std::ranges::find(names, name) != names.end();
 }
 
+/// Whether numbers of a setting are whole: of some options, and how many leaves a plant has.
+bool isWholeSetting(std::string_view name)
+{
+    return isAmong(wholeOptions, name) || (name.starts_with("set ") && name.ends_with(".count"));
+}
+
+/// Throws unless a number can be drawn from a range. `place` names its key.
+void requireDrawable(glm::dvec2 range, bool isWhole, const std::string& place)
+{
+    if (range.x > range.y)
+        fail(ErrorKind::input, "{}: {} is above {}", place, range.x, range.y);
+    if (isWhole && range.x == range.y && range.x != std::floor(range.x))
+        fail(ErrorKind::input, "{}: {} is not a whole number", place, range.x);
+    if (isWhole && std::ceil(range.x) > std::floor(range.y))
+        fail(ErrorKind::input, "{}: no whole number is from {} to {}", place, range.x, range.y);
+}
+
+/// A "{LOW..HIGH}" in a text.
+struct BraceRange {
+    glm::dvec2 range;
+    std::size_t end; ///< in the text, one past it
+};
+
+/// The range that begins at a place of a text; none if its braces say anything else.
+std::optional<BraceRange> rangeAt(std::string_view word, std::size_t at)
+{
+    const std::size_t end = word.find('}', at);
+    const std::size_t dots = word.find("..", at);
+    if (word[at] != '{' || end == std::string_view::npos || dots > end)
+        return std::nullopt;
+    glm::dvec2 range(0.0);
+    const auto low = std::from_chars(word.data() + at + 1, word.data() + dots, range.x);
+    const auto high = std::from_chars(word.data() + dots + 2, word.data() + end, range.y);
+    if (low.ec != std::errc() || low.ptr != word.data() + dots || high.ec != std::errc() ||
+        high.ptr != word.data() + end)
+        return std::nullopt;
+    return BraceRange{range, end + 1};
+}
+
 double numberOf(const json& value, const std::string& place)
 {
     const double number = value.get<double>();
@@ -62,10 +101,15 @@ double numberOf(const json& value, const std::string& place)
 BakeSetting readSetting(std::string name, const json& value, const std::string& place)
 {
     BakeSetting setting{.name = std::move(name)};
+    const bool isWhole = isWholeSetting(setting.name);
     const auto addWord = [&](const json& word, double weight) {
         if (!word.is_string())
             fail(ErrorKind::input, "{}: expected texts, found {}", place, word.type_name());
-        setting.words.push_back(word.get<std::string>());
+        const std::string& text = word.get_ref<const std::string&>();
+        for (std::size_t at = 0; at < text.size(); ++at)
+            if (const std::optional<BraceRange> found = rangeAt(text, at))
+                requireDrawable(found->range, isWhole, place);
+        setting.words.push_back(text);
         setting.weights.push_back(weight);
     };
     if (value.is_boolean()) {
@@ -77,8 +121,6 @@ BakeSetting readSetting(std::string name, const json& value, const std::string& 
     } else if (value.is_array() && value.size() == 2 && value[0].is_number() &&
                value[1].is_number()) {
         setting.range = {numberOf(value[0], place), numberOf(value[1], place)};
-        if (setting.range->x > setting.range->y)
-            fail(ErrorKind::input, "{}: {} is above {}", place, setting.range->x, setting.range->y);
     } else if (value.is_array() && !value.empty() && value.size() <= maxWords) {
         for (const json& word : value)
             addWord(word, 1.0);
@@ -97,6 +139,8 @@ BakeSetting readSetting(std::string name, const json& value, const std::string& 
              "and their weights",
              place);
     }
+    if (setting.range)
+        requireDrawable(*setting.range, isWhole, place);
     return setting;
 }
 
@@ -120,13 +164,20 @@ public:
 
     double next() { return uniform(key_, bake_, dimension_++); } ///< [0, 1)
 
+    /// A number as text: what is stated to its last digit, what is drawn to six, within the range.
     std::string between(glm::dvec2 range, bool isWhole)
     {
         if (isWhole)
             return fmt::format(
                 "{:.0f}", std::floor(std::ceil(range.x) +
                                      next() * (std::floor(range.y) - std::ceil(range.x) + 1.0)));
-        return fmt::format("{:.6g}", range.x + next() * (range.y - range.x));
+        if (range.x == range.y)
+            return fmt::format("{}", range.x);
+        const double drawn = range.x + next() * (range.y - range.x);
+        std::string text = fmt::format("{:.6g}", drawn);
+        double rounded = 0.0;
+        std::from_chars(text.data(), text.data() + text.size(), rounded);
+        return range.x <= rounded && rounded <= range.y ? text : fmt::format("{}", drawn);
     }
 
 private:
@@ -136,24 +187,16 @@ private:
 };
 
 /// Replaces each "{LOW..HIGH}"; other braces stay.
-std::string filledIn(std::string_view word, BakeNumbers& numbers)
+std::string filledIn(std::string_view word, bool isWhole, BakeNumbers& numbers)
 {
     std::string text;
     for (std::size_t at = 0; at < word.size();) {
-        const std::size_t end = word.find('}', at);
-        const std::size_t dots = word.find("..", at);
-        glm::dvec2 range(0.0);
-        if (word[at] == '{' && dots < end && end != std::string_view::npos) {
-            const auto low = std::from_chars(word.data() + at + 1, word.data() + dots, range.x);
-            const auto high = std::from_chars(word.data() + dots + 2, word.data() + end, range.y);
-            if (low.ec == std::errc() && low.ptr == word.data() + dots && high.ec == std::errc() &&
-                high.ptr == word.data() + end) {
-                text += numbers.between(range, false);
-                at = end + 1;
-                continue;
-            }
+        if (const std::optional<BraceRange> found = rangeAt(word, at)) {
+            text += numbers.between(found->range, isWhole);
+            at = found->end;
+        } else {
+            text += word[at++];
         }
-        text += word[at++];
     }
     return text;
 }
@@ -161,8 +204,9 @@ std::string filledIn(std::string_view word, BakeNumbers& numbers)
 std::string valueOf(const BakeSetting& setting, BakeNumbers& numbers)
 {
     numbers.of(setting.name);
+    const bool isWhole = isWholeSetting(setting.name);
     if (setting.range)
-        return numbers.between(*setting.range, isAmong(wholeOptions, setting.name));
+        return numbers.between(*setting.range, isWhole);
     const double sum = std::accumulate(setting.weights.begin(), setting.weights.end(), 0.0);
     double left = numbers.next() * sum;
     std::size_t chosen = 0;
@@ -174,7 +218,7 @@ std::string valueOf(const BakeSetting& setting, BakeNumbers& numbers)
         if (left < 0.0)
             break;
     }
-    return filledIn(setting.words[chosen], numbers);
+    return filledIn(setting.words[chosen], isWhole, numbers);
 }
 
 /// Finds files of the scene's folder in a value: the whole, or what stands between colons.
