@@ -1,6 +1,7 @@
 #include "apps/lidar/beam_file.h"
 
 #include "core/error.h"
+#include "core/files/foreign_bytes.h"
 #include "core/files/mapped_file.h"
 #include "core/lower_case.h"
 
@@ -22,9 +23,16 @@ namespace {
 using Row = std::array<double, 6>;
 
 constexpr double farthestPlace = 1e12;        // [m]
+constexpr double shortestDirection = 1e-9;    // [m]
 constexpr std::size_t largestText = 1u << 30; // [bytes] of a .csv
 constexpr std::size_t largestNumpyHeader = 1u << 16;
 constexpr const char* columnNames[] = {"x", "y", "z", "dx", "dy", "dz"};
+
+bool isBeam(const Row& row)
+{
+    return std::ranges::all_of(row, [](double one) { return std::abs(one) <= farthestPlace; }) &&
+           glm::length(glm::dvec3(row[3], row[4], row[5])) > shortestDirection;
+}
 
 lidar::Beam beamOf(const Row& row, const std::string& path, const char* what, std::uint64_t number)
 {
@@ -34,7 +42,7 @@ lidar::Beam beamOf(const Row& row, const std::string& path, const char* what, st
                  number, columnNames[i], row[i], -farthestPlace, farthestPlace);
     const glm::dvec3 towards(row[3], row[4], row[5]);
     const double length = glm::length(towards);
-    if (!(length > 1e-9))
+    if (!(length > shortestDirection))
         fail(ErrorKind::input, "{}: {} {}: dx dy dz are {}, {}, {}, which is no direction", path,
              what, number, row[3], row[4], row[5]);
     return {{row[0], row[1], row[2]}, glm::vec3(towards / length)};
@@ -95,16 +103,24 @@ lidar::Beams readNumpy(const std::string& path)
     if (rows != (bytes.size() - data) / (6 * size))
         fail(ErrorKind::input, "{}: has {} rows by its header, and bytes of {}", path, rows,
              (bytes.size() - data) / (6 * size));
-    return {rows, [file, path, data, isDouble, size](std::uint64_t number) {
-                const std::byte* const at = file->bytes().data() + data + number * 6 * size;
-                Row row;
-                std::array<float, 6> singles;
-                if (isDouble)
-                    std::memcpy(row.data(), at, sizeof row);
-                else {
-                    std::memcpy(singles.data(), at, sizeof singles);
-                    std::copy(singles.begin(), singles.end(), row.begin());
-                }
+    const auto rowAt = [file, data, isDouble, size](std::uint64_t number) {
+        const std::byte* const at = file->bytes().data() + data + number * 6 * size;
+        Row row;
+        std::array<float, 6> singles;
+        if (isDouble)
+            std::memcpy(row.data(), at, sizeof row);
+        else {
+            std::memcpy(singles.data(), at, sizeof singles);
+            std::copy(singles.begin(), singles.end(), row.begin());
+        }
+        return row;
+    };
+    return {rows, [rowAt, path](std::uint64_t number) {
+                const Row row = rowAt(number);
+                if (!isBeam(row))
+                    // Rows are read in any order: name the first wrong one.
+                    for (std::uint64_t first = 0; first < number; ++first)
+                        static_cast<void>(beamOf(rowAt(first), path, "row", first));
                 return beamOf(row, path, "row", number);
             }};
 }
@@ -119,6 +135,9 @@ std::vector<std::string_view> cellsOf(std::string_view line)
             cell.remove_prefix(1);
         while (!cell.empty() && (cell.back() == ' ' || cell.back() == '\t' || cell.back() == '\r'))
             cell.remove_suffix(1);
+        // Quotes as RFC 4180 has them; neither names of columns nor numbers hold commas.
+        if (cell.size() >= 2 && cell.front() == '"' && cell.back() == '"')
+            cell = cell.substr(1, cell.size() - 2);
         cells.push_back(cell);
         if (comma == std::string_view::npos)
             return cells;
@@ -129,7 +148,9 @@ std::vector<std::string_view> cellsOf(std::string_view line)
 lidar::Beams readTable(const std::string& path)
 {
     const std::vector<std::byte> bytes = readFile(path, largestText);
-    std::string_view rest(reinterpret_cast<const char*>(bytes.data()), bytes.size());
+    refuseForeign(bytes, path);
+    std::string_view rest =
+        withoutMark({reinterpret_cast<const char*>(bytes.data()), bytes.size()});
     const auto rows = std::make_shared<std::vector<lidar::Beam>>();
     std::array<std::size_t, 6> places{};
     std::size_t width = 0;
@@ -158,8 +179,10 @@ lidar::Beams readTable(const std::string& path)
         Row row;
         for (std::size_t i = 0; i < row.size(); ++i) {
             const std::string_view cell = cells[places[i]];
+            // std::from_chars() takes no plus.
+            const bool hasPlus = cell.starts_with('+') && !cell.starts_with("+-");
             const auto [stop, error] =
-                std::from_chars(cell.data(), cell.data() + cell.size(), row[i]);
+                std::from_chars(cell.data() + (hasPlus ? 1 : 0), cell.data() + cell.size(), row[i]);
             if (error != std::errc() || stop != cell.data() + cell.size())
                 fail(ErrorKind::input, "{}: line {}: {} is '{}', which is no number", path, line,
                      columnNames[i], cell);

@@ -89,6 +89,10 @@ class Lidar(CliTest):
         a = self.points("--beams", "b.npy")
         np.savetxt(self.folder / "b.csv", beams[:, [3, 4, 5, 0, 1, 2]], delimiter=", ", header="dx,dy,dz, x,y,z", comments="", fmt="%.17g")
         np.testing.assert_array_equal(self.points("--beams", "b.csv"), a)
+        # As spreadsheets write them: a byte order mark, quotes, signs.
+        rows = [",".join(f'"{number:+.17g}"' for number in beam) for beam in beams]
+        (self.folder / "b.csv").write_text("\n".join(['\ufeff"x","y","z","dx","dy","dz"', *rows]), encoding="utf-8")
+        np.testing.assert_array_equal(self.points("--beams", "b.csv"), a)
         np.save(self.folder / "b.npy", beams.astype("<f4"))
         single = self.points("--beams", "b.npy")
         self.assertEqual(len(single) // 50, len(a) // 50)
@@ -100,8 +104,9 @@ class Lidar(CliTest):
         for name, change, kind, words in (
                 ("nan", lambda b: b.__setitem__((3, 1), np.nan), INPUT, "row 3: y is nan"),
                 ("still", lambda b: b.__setitem__((7, slice(3, 6)), 0), INPUT, "row 7: dx dy dz are 0, 0, 0"),
-                ("far", lambda b: b.__setitem__((2, 0), 1e13), INPUT, "row 2: x is 10000000000000")):
-            beams = good.copy()
+                ("far", lambda b: b.__setitem__((2, 0), 1e13), INPUT, "row 2: x is 10000000000000"),
+                ("all", lambda b: b.fill(0), INPUT, "row 0: dx dy dz are 0, 0, 0")):
+            beams = good.copy() if name != "all" else np.tile(good, (1000, 1))
             change(beams)
             np.save(self.folder / f"{name}.npy", beams)
             cases.append((f"{name}.npy", kind, words))
