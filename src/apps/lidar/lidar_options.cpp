@@ -10,6 +10,7 @@
 #include <glm/trigonometric.hpp>
 
 #include <algorithm>
+#include <string_view>
 
 namespace sward::apps {
 namespace {
@@ -83,12 +84,14 @@ void LidarOptions::addPattern(CLI::App& app)
            });
     parsed("--above", "METRES", "Height of the scanner above the ground at its X,Z, 0 to 1e6",
            [this](const std::string& text) { above_ = parseNumber("--above", text, 0.0, 1e6); });
-    parsed("--elevation", "A:B", "Angles of the scanner's lowest and highest ring, in degrees",
+    parsed("--elevation", "A:B",
+           "Angles of the scanner's lowest and highest ring, in degrees; one ring is midway",
            [this](const std::string& text) {
                spinning_.elevation = parseAngles("--elevation", text, -90.0, 90.0);
            })
         ->default_str("-25:15");
-    parsed("--azimuth", "A:B", "What it turns over, in degrees from +X towards -Z",
+    parsed("--azimuth", "A:B",
+           "Its turn in degrees from +X towards -Z: the first step is at A, the last before B",
            [this](const std::string& text) {
                spinning_.azimuth = parseAngles("--azimuth", text, -360.0, 360.0);
            })
@@ -128,6 +131,10 @@ void LidarOptions::addPattern(CLI::App& app)
                    static_cast<float>(glm::radians(parseNumber("--tilt", text, -80.0, 80.0)));
            })
         ->default_str("0");
+    for (const char* name : {"--above", "--elevation", "--azimuth", "--rings", "--columns"})
+        ownOptions_.push_back({app.get_option(name), "--scanner"});
+    for (const char* name : {"--spacing", "--sweep", "--tilt"})
+        ownOptions_.push_back({app.get_option(name), "--airborne"});
 }
 
 void LidarOptions::addSensor(CLI::App& app)
@@ -211,12 +218,17 @@ void LidarOptions::check() const
         fail(ErrorKind::usage,
              "exactly one of --beams, --scanner and --airborne says where pulses go; here are {}",
              patterns);
+    const char* const source = !beams.empty() ? "--beams"
+                               : isAirborne_  ? "--airborne"
+                                              : "--scanner";
+    for (const OwnOption& own : ownOptions_)
+        if (own.option->count() > 0 && std::string_view(own.source) != source)
+            fail(ErrorKind::usage, "{} is of {}; here {} says where pulses go",
+                 own.option->get_name(), own.source, source);
     if (!place_.empty() && (place_.size() == 2) != above_.has_value())
         fail(ErrorKind::usage, "--scanner takes X,Z with --above, and X,Y,Z without it");
     if (airborne_.sweep > 0.0f && airborne_.tilt != 0.0f)
         fail(ErrorKind::usage, "--sweep and --tilt are both given; beams fan out or are parallel");
-    if (place_.empty() && above_)
-        fail(ErrorKind::usage, "--above needs --scanner");
 }
 
 lidar::LidarSettings LidarOptions::settingsFor(const field::FieldView& view) const

@@ -12,7 +12,8 @@
 
 namespace CLI {
 class App;
-}
+class Option;
+} // namespace CLI
 
 namespace sward::apps {
 
@@ -32,7 +33,8 @@ struct LidarOptions {
     /// Adds the options to `app`. `mustWrite`: --output is needed; `standing`: help of --blades.
     void add(CLI::App& app, bool mustWrite, const char* standing);
 
-    /// Throws Error{usage} unless the options say where the beams come from, once.
+    /// Throws Error{usage} unless the options say where the beams come from, once, and all of them
+    /// mean something there. The CLI::App must still be there.
     void check() const;
 
     /// How the sensor measures this field. Throws Error{usage} for a species that it does not have.
@@ -43,6 +45,12 @@ struct LidarOptions {
     lidar::Beams beamsOver(const field::FieldView& view, const GroundAt& groundAt) const;
 
 private:
+    /// An option that means something for one source of beams alone.
+    struct OwnOption {
+        const CLI::Option* option;
+        const char* source; ///< such as "--scanner"
+    };
+
     void addPattern(CLI::App& app);
     void addSensor(CLI::App& app);
 
@@ -52,6 +60,7 @@ private:
     std::vector<double> place_; ///< x, z or x, y, z; empty: no scanner
     std::optional<double> above_;
     bool isAirborne_ = false;
+    std::vector<OwnOption> ownOptions_;
     float leaf_ = 0.45f;
     std::vector<std::pair<std::string, float>> leafOf_; ///< by species
 };

@@ -139,7 +139,11 @@ class Lidar(CliTest):
                                (("--scanner", "900,900", "--above", "1"), "no ground at 900,900"),
                                (("--airborne", "5", "--leaf-reflectance", "moss=0.5"), "no species 'moss'"),
                                (("--airborne", "5", "--range", "5:5"), "--range"), (("--airborne", "0"), "--airborne"),
-                               (("--airborne", "5", "--spacing", "0.0001", "--tilt", "90"), "--tilt")):
+                               (("--airborne", "5", "--spacing", "0.0001", "--tilt", "90"), "--tilt"),
+                               (("--airborne", "5", "--rings", "8"), "--rings is of --scanner"),
+                               (("--airborne", "5", "--elevation", "-9:9"), "--elevation is of --scanner"),
+                               (("--beams", "b.npy", "--above", "1"), "--above is of --scanner"),
+                               (("--scanner", "0,9,0", "--spacing", "0.1"), "--spacing is of --airborne")):
             with self.subTest(options):
                 self.assertIn(words, self.lidar(*options, to="wrong.npy", code=USAGE))
         self.assertIn(".laz", self.lidar("--airborne", "5", to="wrong.laz", code=USAGE))

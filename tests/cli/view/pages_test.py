@@ -137,7 +137,8 @@ class HelpTest(unittest.TestCase):
                 "compare": ["none.sward", "none.sward"], "tile": ["none.json", "-o", "none"],
                 "grow": ["none.sward", "-o", "grown.sward"], "export": ["none.sward", "-o", "none.csv"],
                 "render": ["none.sward", "-o", "none.png"], "dataset": ["none.json", "-o", "none"], "trace": ["none.sward", "-o", "none.png"],
-                "lidar": ["none.sward", "-o", "none.npy", "--airborne", "5"]}.get(command, ["none.sward"])
+                "lidar": ["none.sward", "-o", "none.npy",
+                          *(("--scanner", "0,0,0") if option in ("--rings", "--columns") else ("--airborne", "5"))]}.get(command, ["none.sward"])
         needed = {"plan": ["--tiles", "1"], "tile": ["--index", "0"]}.get(command, [])
         if option in needed:
             needed = []
