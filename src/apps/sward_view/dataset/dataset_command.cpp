@@ -124,7 +124,7 @@ LayeredFrame taken(const SetDrawing& drawing, const DatasetScene& scene, bool is
 /// Draws the frames of one field: the device draws one while the CPU prepares the next one, and
 /// while threads take the ones before out of its memory and write them.
 void drawFramesOf(SetDrawing& drawing, const FrameDraws& draws, bool isRadiance,
-                  const DatasetScene& scene, const DatasetFiles* files,
+                  const DatasetScene& scene, DatasetFiles* files,
                   std::span<const std::uint64_t> frames, WorkQueue& queue, Progress& progress,
                   Done& done)
 {
@@ -185,7 +185,7 @@ std::string datasetSummary(const DatasetOptions& options, const Done& done)
 
 /// The frames of the share that are not finished, by field.
 std::vector<std::vector<std::uint64_t>>
-framesLeft(const DatasetScene& scene, const DatasetOptions& options, const DatasetFiles* files)
+framesLeft(const DatasetScene& scene, const DatasetOptions& options, DatasetFiles* files)
 {
     std::vector<std::vector<std::uint64_t>> left(scene.fields.size());
     for (std::uint64_t frame = options.share.number - 1; frame < scene.frames;
@@ -197,7 +197,7 @@ framesLeft(const DatasetScene& scene, const DatasetOptions& options, const Datas
 
 /// Draws the frames that are left, field after field, on one device.
 void drawAll(const DatasetScene& scene, const DatasetOptions& options,
-             std::span<const field::FieldView> fields, const DatasetFiles* output,
+             std::span<const field::FieldView> fields, DatasetFiles* output,
              std::span<const std::vector<std::uint64_t>> left, Progress& progress, Done& done)
 {
     const bool isRadiance = scene.format != DatasetFormat::png;
@@ -271,7 +271,7 @@ int makeDataset(const DatasetOptions& options)
     std::optional<DatasetFiles> files;
     if (!options.nullOutput)
         files.emplace(scene, views, bakes, options.folder);
-    const DatasetFiles* const output = files ? &*files : nullptr;
+    DatasetFiles* const output = files ? &*files : nullptr;
 
     const auto left = framesLeft(scene, options, output);
     std::uint64_t count = 0;

@@ -5,6 +5,7 @@
 #include "apps/sward_view/picture/layer_files.h"
 #include "core/error.h"
 #include "core/files/atomic_file.h"
+#include "core/files/foreign_bytes.h"
 #include "core/files/mapped_file.h"
 #include "core/json/json_text.h"
 #include "core/json/settings_json.h"
@@ -17,6 +18,7 @@
 #include <algorithm>
 #include <cmath>
 #include <iterator>
+#include <optional>
 #include <string_view>
 #include <utility>
 
@@ -78,11 +80,106 @@ std::string wholeText(const fs::path& path)
 }
 
 constexpr const char* manifestName = "manifest.json";
+constexpr const char* objectsName = "coco.json";
 
-[[noreturn]] void failAsOther(const fs::path& manifest, const std::string& key)
+/// A .json of a frame begins with its set and a hash of all after these two, and has a line for
+/// each object.
+constexpr std::string_view setKey = "{\"set\":\"", contentKey = "\",\"content\":\"",
+                           headEnd = "\",", objectsBegin = "\"objects\":[", objectsEnd = "\n]}\n";
+constexpr std::size_t hashDigits = 16;
+constexpr std::size_t headSize =
+    setKey.size() + contentKey.size() + headEnd.size() + 2 * hashDigits;
+
+/// What a .json of a frame says of itself.
+struct FrameHead {
+    std::string_view set, content;
+};
+
+std::optional<FrameHead> headOf(std::string_view text)
 {
-    fail(ErrorKind::usage, "{}: is of another set: its \"{}\" differs; choose another folder",
-         manifest.string(), key);
+    const std::size_t content = setKey.size() + hashDigits + contentKey.size();
+    if (text.size() < headSize || !text.starts_with(setKey) ||
+        text.substr(setKey.size() + hashDigits, contentKey.size()) != contentKey ||
+        text.substr(content + hashDigits, headEnd.size()) != headEnd)
+        return std::nullopt;
+    return FrameHead{text.substr(setKey.size(), hashDigits), text.substr(content, hashDigits)};
+}
+
+std::string hashOfText(std::string_view text)
+{
+    return hashOfBytes(std::as_bytes(std::span(text)));
+}
+
+std::string_view textOf(const MappedFile& file)
+{
+    return {reinterpret_cast<const char*>(file.bytes().data()), file.bytes().size()};
+}
+
+/// A manifest without what may change while its frames stay.
+nlohmann::json lastingPart(nlohmann::json manifest)
+{
+    manifest.erase("set");
+    if (const auto scene = manifest.find("scene"); scene != manifest.end() && scene->is_object()) {
+        scene->erase("frames");
+        scene->erase("about");
+    }
+    return manifest;
+}
+
+/// A value in a message: its beginning if it is long.
+std::string shownValue(const nlohmann::json* value)
+{
+    constexpr std::size_t most = 60;
+    if (value == nullptr)
+        return "not stated";
+    const std::string text = jsonText(*value);
+    return text.size() <= most ? text : toUtf8(text.substr(0, most)) + "…";
+}
+
+/// "KEY" is VALUE there and VALUE here: the first difference of two values that differ.
+std::string differenceOf(const nlohmann::json* there, const nlohmann::json* here,
+                         const std::string& key)
+{
+    if (there == nullptr || here == nullptr || !there->is_object() || !here->is_object())
+        return fmt::format("its \"{}\" is {}, here it is {}", key, shownValue(there),
+                           shownValue(here));
+    const auto childOf = [](const nlohmann::json& object, const std::string& name) {
+        const auto found = object.find(name);
+        return found == object.end() ? nullptr : &*found;
+    };
+    nlohmann::json names = *here;
+    names.update(*there);
+    for (const auto& [name, unused] : names.items()) {
+        const nlohmann::json* const a = childOf(*there, name);
+        const nlohmann::json* const b = childOf(*here, name);
+        if (a == nullptr || b == nullptr || *a != *b)
+            return differenceOf(a, b, key.empty() ? name : key + "." + name);
+    }
+    return {};
+}
+
+/// Throws unless two manifests are of one set, as far as `here` states it.
+void requireSameSet(const nlohmann::json& there, const nlohmann::json& here, const fs::path& path)
+{
+    const nlohmann::json a = lastingPart(there), b = lastingPart(here);
+    if (a != b)
+        fail(ErrorKind::usage, "{}: is of another set: {}; choose another folder", path.string(),
+             differenceOf(&a, &b, ""));
+}
+
+std::uint64_t framesOf(const nlohmann::json& manifest)
+{
+    const nlohmann::json& scene = manifest.at("scene");
+    const auto found = scene.find("frames");
+    return found != scene.end() && found->is_number() ? found->get<std::uint64_t>() : 1;
+}
+
+/// The set of a manifest, as its frames name it.
+std::string setOf(const nlohmann::json& manifest)
+{
+    if (const auto set = manifest.find("set"); set != manifest.end() && set->is_string())
+        return set->get<std::string>();
+    return hashOfText(jsonText(lastingPart(manifest)));
 }
 
 } // namespace
@@ -92,6 +189,7 @@ DatasetFiles::DatasetFiles(const DatasetScene& scene, std::span<const field::Fie
     : scene_(scene)
     , bakes_(bakes)
     , folder_(std::move(folder))
+    , finished_(scene.frames, 0)
 {
     for (std::size_t i = 0; i < fields.size(); ++i) {
         std::vector<std::uint32_t>& slots = categoryOf_.emplace_back();
@@ -114,12 +212,67 @@ fs::path DatasetFiles::nameOf(std::uint64_t frame, const char* extension) const
     return folder_ / fmt::format("frame_{:08}{}", frame, extension);
 }
 
-bool DatasetFiles::isFinished(std::uint64_t frame) const
+fs::path DatasetFiles::pictureOf(std::uint64_t frame) const
 {
-    return fs::exists(nameOf(frame, ".json"));
+    constexpr const char* extensions[] = {".exr", ".npz", ".png"};
+    return nameOf(frame, extensions[static_cast<std::size_t>(scene_.format)]);
 }
 
-bool DatasetFiles::isComplete() const
+/// The set of the folder's manifest; `file`: of a frame, found before.
+const std::string& DatasetFiles::knownSet(const fs::path& file)
+{
+    if (!set_.empty())
+        return set_;
+    const fs::path path = folder_ / manifestName;
+    if (!fs::exists(path))
+        fail(ErrorKind::usage,
+             "{}: is here without a {} that says of which set it is; choose another folder",
+             file.string(), manifestName);
+    return set_ = setOf(parseJson(wholeText(path), path.string()));
+}
+
+/// Whether the files of a frame are whole.
+bool DatasetFiles::isWhole(std::uint64_t frame)
+{
+    const fs::path path = nameOf(frame, ".json");
+    if (!fs::exists(path)) {
+        if (const fs::path picture = pictureOf(frame); fs::exists(picture))
+            static_cast<void>(knownSet(picture));
+        return false;
+    }
+    const std::string& set = knownSet(path);
+    const MappedFile file(path);
+    const std::string_view text = textOf(file);
+    const std::optional<FrameHead> head = headOf(text);
+    if (!head)
+        return false;
+    if (head->set != set)
+        fail(ErrorKind::usage,
+             "{}: is a frame of the set {}, and {} is of {}; choose another folder", path.string(),
+             head->set, manifestName, set);
+    const std::string_view rest = text.substr(headSize);
+    if (head->content != hashOfText(rest))
+        return false;
+    const auto described = nlohmann::json::parse(
+        "{" + std::string(rest.substr(0, rest.find('}') + 1)) + "}", nullptr, false);
+    if (!described.is_object() || !described.contains("files"))
+        return false;
+    for (const auto& [name, size] : described.at("files").items()) {
+        std::error_code error;
+        if (fs::file_size(folder_ / name, error) != size.get<std::uint64_t>() || error)
+            return false;
+    }
+    return true;
+}
+
+bool DatasetFiles::isFinished(std::uint64_t frame)
+{
+    if (finished_[frame] == 0 && isWhole(frame))
+        finished_[frame] = 1;
+    return finished_[frame] != 0;
+}
+
+bool DatasetFiles::isComplete()
 {
     for (std::uint64_t frame = 0; frame < scene_.frames; ++frame)
         if (!isFinished(frame))
@@ -133,16 +286,22 @@ void DatasetFiles::requireScene(const DatasetScene& scene, const fs::path& folde
     if (!fs::exists(path))
         return;
     const nlohmann::json there = parseJson(wholeText(path), path.string());
-    if (!there.contains("scene") || there.at("scene") != nlohmann::json::parse(scene.text))
-        failAsOther(path, "scene");
+    if (!there.is_object() || !there.contains("scene") || !there.at("scene").is_object())
+        fail(ErrorKind::usage, "{}: is no manifest of a set; choose another folder", path.string());
+    requireSameSet(nlohmann::json::object({{"scene", there.at("scene")}}),
+                   nlohmann::json::object({{"scene", parseJson(scene.text, scene.file.string())}}),
+                   path);
+    if (framesOf(there) > scene.frames)
+        fail(ErrorKind::usage, "{}: its \"scene.frames\" is {}, here it is {}; a set can only grow",
+             path.string(), framesOf(there), scene.frames);
 }
 
-void DatasetFiles::writeManifest(const std::string& device) const
+void DatasetFiles::writeManifest(const std::string& device)
 {
     OrderedJson json;
     json["program"] = apps::versionText("sward-view");
     json["device"] = device;
-    json["scene"] = OrderedJson::parse(scene_.text);
+    json["scene"] = OrderedJson::parse(withoutMark(scene_.text));
     for (const DrawnBake& bake : bakes_)
         json["bakes"].push_back(bake.shown);
     for (const std::string& content : contents_)
@@ -152,29 +311,32 @@ void DatasetFiles::writeManifest(const std::string& device) const
             json["files"].push_back(hashOfFile(*file));
     for (const Category& category : categories_)
         json["categories"].push_back(category.name);
-    const std::string text = jsonText(json, 2) + "\n";
     const fs::path path = folder_ / manifestName;
-    if (!fs::exists(path)) {
-        AtomicFile file(path, true);
-        file.write(text);
-        file.commit();
-        return;
+    const bool isThere = fs::exists(path);
+    const std::string former = isThere ? wholeText(path) : std::string();
+    set_ = setOf(nlohmann::json(json));
+    if (isThere) {
+        const nlohmann::json there = parseJson(former, path.string());
+        requireSameSet(there, nlohmann::json(json), path);
+        set_ = setOf(there);
+        // It says nothing of the new frames.
+        if (framesOf(there) < scene_.frames)
+            fs::remove(folder_ / objectsName);
     }
-    const std::string former = wholeText(path);
-    if (former == text)
-        return;
-    const nlohmann::json there = parseJson(former, path.string());
-    for (const auto& [key, value] : json.items())
-        if (!there.contains(key) || there.at(key) != nlohmann::json(value))
-            failAsOther(path, key);
-    fail(ErrorKind::usage, "{}: is of another set; choose another folder", path.string());
+    json["set"] = set_;
+    const std::string text = jsonText(json, 2) + "\n";
+    if (former != text)
+        writeTextFile(path, text, true);
 }
 
 std::string DatasetFiles::descriptionOf(std::uint64_t frame, const DrawnFrame& what,
-                                        std::span<const SeenObject> objects) const
+                                        std::span<const SeenObject> objects,
+                                        std::span<const fs::path> files) const
 {
     const std::size_t field = fieldOfFrame(scene_, frame);
     OrderedJson json;
+    for (const fs::path& file : files)
+        json["files"][file.filename().string()] = fs::file_size(file);
     json["frame"] = frame;
     json["field"] = fs::path(scene_.fields[field]).filename().string();
     json["width"] = scene_.size.x;
@@ -186,39 +348,35 @@ std::string DatasetFiles::descriptionOf(std::uint64_t frame, const DrawnFrame& w
     json["wind_strength"] = what.windStrength;
     json["time_s"] = what.time;
     json["objects"] = OrderedJson::array();
-    std::string text = jsonText(json);
+    std::string text = jsonText(json).substr(1);
     text.resize(text.size() - std::string_view("]}").size());
     for (const SeenObject& object : objects) {
-        if (text.back() != '[')
-            text += ',';
+        text += text.back() == '[' ? "\n" : ",\n";
         describe(object, scene_.size, categoryOf_[field][object.species], text);
     }
-    return text + "]}\n";
+    text += objectsEnd;
+    return fmt::format("{}{}{}{}{}{}", setKey, set_, contentKey, hashOfText(text), headEnd, text);
 }
 
-std::uint64_t DatasetFiles::write(std::uint64_t frame, const DrawnFrame& what,
-                                  LayeredFrame drawn) const
+std::uint64_t DatasetFiles::write(std::uint64_t frame, const DrawnFrame& what, LayeredFrame drawn)
 {
     const std::vector<SeenObject> objects = seenObjects(scene_, drawn.layers);
     // Layers that only objects need are not written.
     for (std::uint32_t i = 0; i < render::layerCount; ++i)
         if ((scene_.layers & (render::LayerMask(1) << i)) == 0)
             drawn.layers.arrays[i].clear();
-    fs::path path;
-    std::vector<fs::path> paths;
+    const fs::path path = pictureOf(frame);
+    std::vector<fs::path> paths{path};
     switch (scene_.format) {
     case DatasetFormat::exr:
-        path = nameOf(frame, ".exr");
         writeLayersExr(drawn.radiance, drawn.layers,
                        scene_.isCompressed ? apps::ExrCompression::zip : apps::ExrCompression::none,
                        path, true);
         break;
     case DatasetFormat::npz:
-        path = nameOf(frame, ".npz");
         writeLayersNpz(drawn.radiance, drawn.layers, path, true);
         break;
     case DatasetFormat::png:
-        path = nameOf(frame, ".png");
         writePng(drawn.picture, path, true);
         writeLayerPngs(drawn.layers, path, true);
         for (std::uint32_t i = 0; i < render::layerCount; ++i)
@@ -226,12 +384,10 @@ std::uint64_t DatasetFiles::write(std::uint64_t frame, const DrawnFrame& what,
                 paths.push_back(layerPath(path, layer));
         break;
     }
-    paths.push_back(path);
-    paths.push_back(nameOf(frame, ".json"));
-    AtomicFile file(paths.back(), true);
-    file.write(descriptionOf(frame, what, objects));
-    file.commit();
-    std::uint64_t bytes = 0;
+    const std::string description = descriptionOf(frame, what, objects, paths);
+    writeTextFile(nameOf(frame, ".json"), description, true);
+    finished_[frame] = 1;
+    std::uint64_t bytes = description.size();
     for (const fs::path& written : paths)
         bytes += fs::file_size(written);
     return bytes;
@@ -240,14 +396,12 @@ std::uint64_t DatasetFiles::write(std::uint64_t frame, const DrawnFrame& what,
 /// Holds one frame's objects at a time: those of a large set take more memory than there is.
 void DatasetFiles::writeObjects() const
 {
-    constexpr const char* extensions[] = {".exr", ".npz", ".png"};
-    const char* const extension = extensions[static_cast<std::size_t>(scene_.format)];
     OrderedJson info;
     info["description"] = scene_.file.filename().string();
     OrderedJson images = OrderedJson::array();
     for (std::uint64_t frame = 0; frame < scene_.frames; ++frame)
         images.push_back({{"id", frame},
-                          {"file_name", nameOf(frame, extension).filename().string()},
+                          {"file_name", pictureOf(frame).filename().string()},
                           {"width", scene_.size.x},
                           {"height", scene_.size.y}});
     OrderedJson categories = OrderedJson::array();
@@ -255,7 +409,7 @@ void DatasetFiles::writeObjects() const
         categories.push_back(
             {{"id", i + 1}, {"name", categories_[i].name}, {"supercategory", "plant"}});
 
-    AtomicFile file(folder_ / "coco.json", true);
+    AtomicFile file(folder_ / objectsName, true);
     file.write(fmt::format(R"({{"info":{},"images":{},"annotations":[)", jsonText(info),
                            jsonText(images)));
     std::uint64_t id = 0;

@@ -9,14 +9,11 @@
 #include <cstddef>
 #include <cstdint>
 #include <cstring>
-#include <span>
 
 namespace sward::view {
 
-std::string hashOfFile(const std::filesystem::path& path)
+std::string hashOfBytes(std::span<const std::byte> bytes)
 {
-    const MappedFile file(path);
-    const std::span<const std::byte> bytes = file.bytes();
     std::uint64_t hash = bytes.size();
     for (std::size_t at = 0; at < bytes.size(); at += sizeof hash) {
         std::uint64_t word = 0;
@@ -24,6 +21,12 @@ std::string hashOfFile(const std::filesystem::path& path)
         hash = mixBits(hash ^ word) + 0x9e3779b97f4a7c15ULL;
     }
     return fmt::format("{:016x}", hash);
+}
+
+std::string hashOfFile(const std::filesystem::path& path)
+{
+    const MappedFile file(path);
+    return hashOfBytes(file.bytes());
 }
 
 } // namespace sward::view

@@ -1,9 +1,14 @@
 #pragma once
 
+#include <cstddef>
 #include <filesystem>
+#include <span>
 #include <string>
 
 namespace sward::view {
+
+/// A hash of bytes: 16 hexadecimal digits.
+std::string hashOfBytes(std::span<const std::byte> bytes);
 
 /// A hash of a file's bytes: 16 hexadecimal digits. Throws Error{io} if it cannot be read.
 std::string hashOfFile(const std::filesystem::path& path);
