@@ -58,6 +58,26 @@ OrderedJson describe(const render::Camera& camera, glm::uvec2 size)
     return json;
 }
 
+/// Appends run lengths as COCO's compressed text: each less the one two before, in digits of five
+/// bits, the lowest first, of which the sixth bit says that more follow.
+void describeRuns(std::span<const std::uint64_t> runs, std::string& text)
+{
+    for (std::size_t i = 0; i < runs.size(); ++i) {
+        auto left = static_cast<std::int64_t>(runs[i]);
+        if (i > 2)
+            left -= static_cast<std::int64_t>(runs[i - 2]);
+        for (bool goesOn = true; goesOn;) {
+            auto digit = static_cast<unsigned>(left & 0x1f);
+            left >>= 5;
+            goesOn = left != ((digit & 0x10u) != 0 ? -1 : 0);
+            digit += (goesOn ? 0x20u : 0u) + '0';
+            if (digit == '\\')
+                text += '\\';
+            text += static_cast<char>(digit);
+        }
+    }
+}
+
 /// Appends the object as JSON. A frame has thousands of objects with a hundred runs each: a tree of
 /// values took most of the time of writing it.
 void describe(const SeenObject& object, glm::uvec2 size, std::uint32_t category, std::string& text)
@@ -69,8 +89,9 @@ void describe(const SeenObject& object, glm::uvec2 size, std::uint32_t category,
         fmt::format_to(out, R"("plant":"{}",)", object.plant);
     fmt::format_to(out, R"("bbox":[{},{},{},{}],"area":{},"iscrowd":{},)", object.low.x,
                    object.low.y, extent.x, extent.y, object.area, object.plant == 0 ? 1 : 0);
-    fmt::format_to(out, R"("segmentation":{{"size":[{},{}],"counts":[{}]}}}})", size.y, size.x,
-                   fmt::join(object.runs, ","));
+    fmt::format_to(out, R"("segmentation":{{"size":[{},{}],"counts":")", size.y, size.x);
+    describeRuns(object.runs, text);
+    text += "\"}}";
 }
 
 std::string wholeText(const fs::path& path)
@@ -416,17 +437,24 @@ void DatasetFiles::writeObjects() const
     std::string text;
     for (std::uint64_t frame = 0; frame < scene_.frames; ++frame) {
         const fs::path path = nameOf(frame, ".json");
-        const OrderedJson described = OrderedJson::parse(wholeText(path), nullptr, false);
-        const auto objects = described.is_object() ? described.find("objects") : described.end();
-        if (objects == described.end() || !objects->is_array())
-            fail(ErrorKind::input, "{}: no objects of a frame; remove it to draw the frame again",
-                 path.string());
+        const MappedFile mapped(path);
+        std::string_view rest = textOf(mapped);
+        const std::size_t begin = rest.find(objectsBegin);
+        if (begin == std::string_view::npos || !rest.ends_with(objectsEnd))
+            fail(ErrorKind::io, "{}: has changed while the set was completed", path.string());
+        rest = rest.substr(begin + objectsBegin.size());
+        rest.remove_suffix(objectsEnd.size());
         text.clear();
-        for (const OrderedJson& object : *objects) {
-            OrderedJson annotation{{"id", ++id}, {"image_id", frame}};
-            if (object.is_object())
-                annotation.update(object);
-            text += (id == 1 ? "" : ",") + jsonText(annotation);
+        // An object is a line: "\n{…}", and a comma if another one follows.
+        while (!rest.empty()) {
+            std::string_view line = rest.substr(0, rest.find('\n', 1));
+            rest.remove_prefix(line.size());
+            if (line.ends_with(','))
+                line.remove_suffix(1);
+            fmt::format_to(std::back_inserter(text), "{}\n{{\"id\":{},\"image_id\":{},",
+                           id > 0 ? "," : "", id + 1, frame);
+            text += line.substr(std::string_view("\n{").size());
+            ++id;
         }
         file.write(text);
     }
