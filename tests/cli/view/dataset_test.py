@@ -29,6 +29,21 @@ SCENE = {"about": "a test", "fields": ["f.sward"], "bakes": BAKES, "size": "48x3
          "objects": {"min_area_pixels": 6}}
 
 
+def mask_of(segmentation):
+    """The mask of a run-length encoding of COCO: differences to the run two before, in digits of five bits."""
+    runs, digits = [], []
+    for digit in (ord(letter) - 48 for letter in segmentation["counts"]):
+        digits.append(digit & 0x1f)
+        if digit & 0x20:
+            continue
+        value = sum(digit << 5 * place for place, digit in enumerate(digits))
+        if digits[-1] & 0x10:
+            value -= 1 << 5 * len(digits)
+        runs.append(value + (runs[-2] if len(runs) > 2 else 0))
+        digits = []
+    return np.repeat(np.arange(len(runs)) % 2 == 1, runs).reshape(segmentation["size"][::-1]).T
+
+
 class DatasetCase(unittest.TestCase):
     @classmethod
     def setUpClass(cls):
@@ -41,6 +56,9 @@ class DatasetCase(unittest.TestCase):
         (cls.folder / "own.json").write_text(json.dumps({"name": "own", "species": [
             {"name": "reed", "share": 1, "height_m": [0.2, 0.3], "width_m": [0.004, 0.006]}]}), encoding="utf-8")
         (cls.folder / "set.json").write_text(json.dumps(SCENE), encoding="utf-8")
+        # Frames that are drawn before a set grows are those of the whole.
+        (cls.folder / "first.json").write_text(json.dumps(SCENE | {"frames": 2, "about": "at first"}), encoding="utf-8")
+        cls.dataset("-o", "one", scene="first.json")
         cls.dataset("-o", "one")
 
     @classmethod
@@ -135,9 +153,7 @@ class Dataset(DatasetCase):
             blades = np.zeros(arrays["class"].shape, bool)
             for annotation in (a for a in coco["annotations"] if a["image_id"] == number):
                 self.assertIn(annotation["category_id"], categories)
-                runs = annotation["segmentation"]["counts"]
-                inside = np.repeat(np.arange(len(runs)) % 2 == 1, runs)
-                mask = inside.reshape(annotation["segmentation"]["size"][::-1]).T
+                mask = mask_of(annotation["segmentation"])
                 self.assertEqual(mask.sum(), annotation["area"])
                 self.assertGreaterEqual(annotation["area"], 6)
                 rows, columns = np.nonzero(mask)
@@ -150,19 +166,65 @@ class Dataset(DatasetCase):
             self.assertLessEqual((arrays["class"] == 2).sum() - blades.sum(), 5 * len(categories))
 
     def test_a_folder_of_another_set_is_refused(self):
-        (self.folder / "other.json").write_text(json.dumps(SCENE | {"seed": 4, "frames": FRAMES + 1}), encoding="utf-8")
+        cameras = SCENE["cameras"] | {"fov_y_deg": [40, 50]}
         before = self.files("one")
-        done = self.dataset("-o", "one", scene="other.json", code=1)
-        self.assertIn("its \"scene\" differs", done.stderr)
+        for change, says in (({"seed": 4}, "its \"scene.seed\" is 3, here it is 4"),
+                             ({"cameras": cameras}, "its \"scene.cameras.fov_y_deg\" is [40,60], here it is [40,50]"),
+                             ({"samples": 4}, "its \"scene.samples\" is not stated, here it is 4"),
+                             ({"frames": 7}, "its \"scene.frames\" is 8, here it is 7; a set can only grow")):
+            (self.folder / "other.json").write_text(json.dumps(SCENE | change), encoding="utf-8")
+            self.assertIn(says, self.dataset("-o", "one", scene="other.json", code=1).stderr)
         self.assertEqual(self.files("one"), before)
 
-    def test_a_torn_description_is_named(self):
+    def test_frames_of_another_set_are_refused(self):
+        shutil.copytree(self.folder / "one", self.folder / "joined")
+        frame = self.folder / "joined/frame_00000003.json"
+        head, rest = frame.read_text(encoding="utf-8").split(",", 1)
+        frame.write_text(head[:-4] + "xyz\"," + rest, encoding="utf-8")
+        self.assertIn("joined/frame_00000003.json: is a frame of the set", self.dataset("-o", "joined", code=1).stderr)
+        (self.folder / "joined/manifest.json").unlink()
+        before = self.files("joined")
+        self.assertIn("joined/frame_00000000.json: is here without a manifest.json", self.dataset("-o", "joined", code=1).stderr)
+        for file in (self.folder / "joined").glob("frame_*.json"):
+            file.unlink()
+        self.assertIn("joined/frame_00000000.npz: is here without", self.dataset("-o", "joined", code=1).stderr)
+        self.assertEqual(self.files("joined"), {name: held for name, held in before.items()
+                                                if not (name.startswith("frame") and name.endswith(".json"))})
+
+    def test_what_is_gone_or_torn_is_drawn_again(self):
         shutil.copytree(self.folder / "one", self.folder / "torn")
-        torn = self.folder / "torn/frame_00000002.json"
-        for text in (torn.read_text(encoding="utf-8")[:-9], "{}", "[1]"):
-            torn.write_text(text, encoding="utf-8")
-            done = self.dataset("-o", "torn", code=3)
-            self.assertIn("torn/frame_00000002.json: no objects of a frame; remove it", done.stderr)
+        described = [self.folder / f"torn/frame_{i:08}.json" for i in range(FRAMES)]
+        described[0].with_suffix(".npz").unlink()
+        picture = described[1].with_suffix(".npz")
+        picture.write_bytes(picture.read_bytes()[:-1])
+        described[2].write_text("", encoding="utf-8")
+        described[3].write_text("{}", encoding="utf-8")
+        described[4].write_bytes(described[4].read_bytes()[:-9])
+        described[5].write_bytes(described[5].read_bytes().replace(b'"width":48', b'"width":47'))
+        self.assertIn("6 frames: ", self.dataset("-o", "torn").stdout)
+        self.assertEqual(self.files("torn"), self.files("one"))
+
+    def test_a_frame_has_the_time_and_the_sun_that_are_stated(self):
+        # From the south, 45 degrees high.
+        (self.folder / "sun.json").write_text(json.dumps({"look": {"sun": {"azimuth": 180, "elevation": 45}}}), encoding="utf-8")
+        for sun, direction in (({"height_deg": 30}, [0, 1 / 2, np.sqrt(3) / 2]),
+                               ({"heading_deg": 90}, [np.sqrt(1 / 2), np.sqrt(1 / 2), 0])):
+            scene = {"fields": ["f.sward"], "size": "16x16", "layers": "none", "format": "png", "settings": "sun.json",
+                     "time_s": 5, "step_s": 1, "settling_frames": 7, "sun": sun}
+            (self.folder / "stated.json").write_text(json.dumps(scene), encoding="utf-8")
+            name = "stated_" + next(iter(sun))
+            self.dataset("-o", name, scene="stated.json")
+            described = json.loads((self.folder / name / "frame_00000000.json").read_text(encoding="utf-8"))
+            self.assertEqual(described["time_s"], 5)
+            np.testing.assert_allclose(described["sun_direction"], direction, atol=1e-6)
+
+    def test_numbers_of_bakes_are_as_they_are_written(self):
+        options = {"density": 1234.5678, "seed": 12345678901234, "scale": 0.1, "sky-rays": "{7.5..8.5}", "blade-scale": [0.12345678, 0.12345679]}
+        scene = SCENE | {"bakes": {"ground": "none.glb", "options": options}}
+        (self.folder / "numbers.json").write_text(json.dumps(scene), encoding="utf-8")
+        said = self.dataset("-o", "numbers", scene="numbers.json", code=2).stderr
+        for word in ("--density=1234.5678 ", "--seed=12345678901234 ", "--scale=0.1 ", "--sky-rays=8 ", "--blade-scale=0.1234567"):
+            self.assertIn(word, said)
 
     def test_wrong_scenes_and_options_are_refused(self):
         for change, code, says in (({"fields": []}, 3, "fields"), ({"bakes": {"fields": 2}}, 3, "ground"),
@@ -170,12 +232,21 @@ class Dataset(DatasetCase):
                                    ({"bakes": BAKES | {"ground": [1, 2]}}, 3, "ground"),
                                    ({"bakes": BAKES | {"options": {"threads": 2}}}, 3, "options.threads"),
                                    ({"bakes": BAKES | {"options": {"density": [9, 2]}}}, 3, "9 is above 2"),
+                                   ({"bakes": BAKES | {"options": {"slope": "0:{45..30}"}}}, 3, "slope: 45 is above 30"),
+                                   ({"bakes": BAKES | {"options": {"seed": 1.5}}}, 3, "seed: 1.5 is not a whole number"),
+                                   ({"bakes": BAKES | {"options": {"sky-rays": [0.2, 0.8]}}}, 3, "sky-rays: no whole number is from 0.2 to 0.8"),
                                    ({"bakes": BAKES | {"options": {"meadow": {"lawn": 0}}}}, 3, "no weight"),
                                    ({"bakes": BAKES | {"options": {"densitty": 2}}}, 1, "--densitty"),
                                    ({"bakes": BAKES | {"ground": "none.glb"}}, 2, "none.glb"), ({"size": "0x3"}, 3, "size"),
                                    ({"layers": "depths"}, 3, "'depths'"), ({"framez": 3}, 3, "framez"),
                                    ({"cameras": {"height_m": [-2, 1]}}, 3, "height_m"),
                                    ({"cameras": {"x_m": [500, 600]}}, 3, "x_m"),
+                                   ({"cameras": {"x_m": [2, -2]}}, 3, "x_m: 2 is above -2"),
+                                   ({"path": "path.json"}, 3, "cameras: height_m: means nothing beside \"path\""),
+                                   ({"jitter_deg": 5}, 3, "jitter_deg: means nothing without \"path\""),
+                                   ({"compressed": False}, 3, "compressed: means nothing beside a \"format\""),
+                                   ({"settings": ""}, 3, "settings: expected the name of a file"),
+                                   ({"fields": [""]}, 3, "fields: expected names of fields, found \"\""),
                                    ({"fields": ["none.sward"]}, 2, "none.sward")):
             (self.folder / "wrong.json").write_text(json.dumps(SCENE | change), encoding="utf-8")
             done = self.dataset("-o", "wrong", scene="wrong.json", code=code)
