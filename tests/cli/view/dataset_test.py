@@ -25,7 +25,7 @@ SCENE = {"about": "a test", "fields": ["f.sward"], "bakes": BAKES, "size": "48x3
          "layers": "depth,id,class,flow-backward,flow-forward", "format": "npz",
          "cameras": {"height_m": [0.3, 0.6], "pitch_deg": [-60, -30], "heading_deg": [0, 360], "fov_y_deg": [40, 60],
                      "speed_m_s": [0.2, 1], "x_m": [-0.5, 0.5]},
-         "sun": {"height_deg": [20, 60]}, "wind_strength": [1, 4], "settling_frames": 2,
+         "sun": {"height_deg": [20, 60]}, "wind_strength": [1, 4], "time_s": 5, "settling_frames": 2,
          "objects": {"min_area_pixels": 6}}
 
 
@@ -93,8 +93,11 @@ class Dataset(DatasetCase):
             self.assertTrue(-0.5 <= x <= 0.5 and 0.3 <= height <= 0.6)
             self.assertTrue(40 <= frame["camera"]["fov_y_deg"] <= 60)
             self.assertTrue(1 <= frame["wind_strength"] <= 4)
-            sine = frame["sun_direction"][1]
+            self.assertEqual(frame["time_s"], 5)
+            # Its heading is not stated: that of the usual sun, 60 degrees east of north.
+            east, sine, south = frame["sun_direction"]
             self.assertTrue(np.sin(np.radians(20)) <= sine <= np.sin(np.radians(60)))
+            self.assertAlmostEqual(np.degrees(np.arctan2(east, -south)), 60, delta=0.5)
 
     def test_fields_are_baked_within_the_stated_ranges(self):
         manifest = json.loads((self.folder / "one/manifest.json").read_text(encoding="utf-8"))
@@ -204,26 +207,12 @@ class Dataset(DatasetCase):
         self.assertIn("6 frames: ", self.dataset("-o", "torn").stdout)
         self.assertEqual(self.files("torn"), self.files("one"))
 
-    def test_a_frame_has_the_time_and_the_sun_that_are_stated(self):
-        # From the south, 45 degrees high.
-        (self.folder / "sun.json").write_text(json.dumps({"look": {"sun": {"azimuth": 180, "elevation": 45}}}), encoding="utf-8")
-        for sun, direction in (({"height_deg": 30}, [0, 1 / 2, np.sqrt(3) / 2]),
-                               ({"heading_deg": 90}, [np.sqrt(1 / 2), np.sqrt(1 / 2), 0])):
-            scene = {"fields": ["f.sward"], "size": "16x16", "layers": "none", "format": "png", "settings": "sun.json",
-                     "time_s": 5, "step_s": 1, "settling_frames": 7, "sun": sun}
-            (self.folder / "stated.json").write_text(json.dumps(scene), encoding="utf-8")
-            name = "stated_" + next(iter(sun))
-            self.dataset("-o", name, scene="stated.json")
-            described = json.loads((self.folder / name / "frame_00000000.json").read_text(encoding="utf-8"))
-            self.assertEqual(described["time_s"], 5)
-            np.testing.assert_allclose(described["sun_direction"], direction, atol=1e-6)
-
     def test_numbers_of_bakes_are_as_they_are_written(self):
         options = {"density": 1234.5678, "seed": 12345678901234, "scale": 0.1, "sky-rays": "{7.5..8.5}", "blade-scale": [0.12345678, 0.12345679]}
         scene = SCENE | {"bakes": {"ground": "none.glb", "options": options}}
         (self.folder / "numbers.json").write_text(json.dumps(scene), encoding="utf-8")
         said = self.dataset("-o", "numbers", scene="numbers.json", code=2).stderr
-        for word in ("--density=1234.5678 ", "--seed=12345678901234 ", "--scale=0.1 ", "--sky-rays=8 ", "--blade-scale=0.1234567"):
+        for word in ("--density=1234.5678 ", "--seed=12345678901234 ", "--scale=0.1 ", "--sky-rays=8\n", "--blade-scale=0.1234567"):
             self.assertIn(word, said)
 
     def test_wrong_scenes_and_options_are_refused(self):
@@ -282,6 +271,15 @@ class LongDataset(DatasetCase):
         for name, when in finished.items():
             self.assertEqual((self.folder / "killed" / name).stat().st_mtime_ns, when)
         self.assertIn("nothing is left", self.dataset("-o", "killed").stdout)
+
+    def test_a_sun_of_a_stated_heading_has_the_height_of_the_settings(self):
+        (self.folder / "sun.json").write_text(json.dumps({"look": {"sun": {"azimuth": 180, "elevation": 45}}}), encoding="utf-8")
+        scene = {"fields": ["f.sward"], "size": "16x16", "layers": "none", "format": "png", "settings": "sun.json",
+                 "sun": {"heading_deg": 90}}
+        (self.folder / "sunny.json").write_text(json.dumps(scene), encoding="utf-8")
+        self.dataset("-o", "sunny", scene="sunny.json")
+        described = json.loads((self.folder / "sunny/frame_00000000.json").read_text(encoding="utf-8"))
+        np.testing.assert_allclose(described["sun_direction"], [np.sqrt(1 / 2), np.sqrt(1 / 2), 0], atol=1e-6)
 
     def test_null_output_says_how_fast_the_device_is(self):
         self.assertRegex(self.dataset("--null-output").stdout, r"8 frames: [0-9.]+ frames per second on the device")
