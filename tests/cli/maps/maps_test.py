@@ -39,6 +39,12 @@ def height_at(east, north):
     return (1 - b) * ((1 - a) * h[j, i] + a * h[j, i + 1]) + b * ((1 - a) * h[j + 1, i] + a * h[j + 1, i + 1])
 
 
+def bow_tie(at, side):
+    """An outline that crosses itself, `at` metres east and south of the corner."""
+    a, b, c, d = EAST + at, EAST + at + side, NORTH - at, NORTH - at - side
+    return f"POLYGON(({a} {c},{b} {d},{b} {c},{a} {d},{a} {c}))"
+
+
 class Maps(CliTest):
     @classmethod
     def setUpClass(cls):
@@ -201,14 +207,35 @@ class Maps(CliTest):
         for text in (f"POLYGON(({EAST + 50} {NORTH - 50},{EAST + 150} {NORTH - 50},{EAST + 150} {NORTH - 150},"
                      f"{EAST + 50} {NORTH - 150},{EAST + 50} {NORTH - 50}),({EAST + 80} {NORTH - 80},{EAST + 80} {NORTH - 120},"
                      f"{EAST + 120} {NORTH - 120},{EAST + 120} {NORTH - 80},{EAST + 80} {NORTH - 80}))",
-                     f"LINESTRING({EAST} {NORTH - 20},{EAST + 200} {NORTH - 20})"):
+                     f"LINESTRING({EAST} {NORTH - 20},{EAST + 200} {NORTH - 20})", bow_tie(160, 30)):
             shape = ogr.CreateGeometryFromWkt(text)
             shape.AssignSpatialReference(utm)
             shape.TransformTo(system)
             feature = ogr.Feature(layer.GetLayerDefn())
             feature.SetGeometry(shape)
             layer.CreateFeature(feature)
+        if driver == "GPKG":  # QGIS stores styles beside the areas, in a table without a system
+            made.CreateLayer("layer_styles", None, ogr.wkbNone)
         made = None
+        return name
+
+    def many(self, name, driver):
+        """A layer "areas" of 400 squares, larger than some pages of a database."""
+        system = osr.SpatialReference()
+        system.ImportFromEPSG(UTM)
+        made = ogr.GetDriverByName(driver).CreateDataSource(str(self.folder / name))
+        layer = made.CreateLayer("areas", system, ogr.wkbPolygon)
+        for i in range(400):
+            feature = ogr.Feature(layer.GetLayerDefn())
+            feature.SetGeometry(ogr.CreateGeometryFromWkt(f"POINT({EAST + i % 20} {NORTH - i // 20})").Buffer(0.3))
+            layer.CreateFeature(feature)
+        layer = made = None
+        return self.folder / name
+
+    def geojson(self, name, *shapes, system=f"urn:ogc:def:crs:EPSG::{UTM}"):
+        crs = {"crs": {"type": "name", "properties": {"name": system}}} if system else {}
+        self.write_json(name, {"type": "FeatureCollection", **crs, "features": [
+            {"type": "Feature", "properties": {}, "geometry": json.loads(ogr.CreateGeometryFromWkt(shape).ExportToJson())} for shape in shapes]})
         return name
 
     def test_areas_and_paths_are_excluded_with_a_margin(self):
@@ -220,6 +247,7 @@ class Maps(CliTest):
             ring = (abs(east - 100) < 52.9) & (abs(south - 100) < 52.9) & ~((abs(east - 100) < 17.1) & (abs(south - 100) < 17.1))
             self.assertFalse(ring.any(), name)
             self.assertFalse((abs(south - 20) < 2.9).any(), name)
+            self.assertFalse(((abs(south - 175) < abs(east - 175)) & (abs(east - 175) < 17)).any(), "both halves of an outline that crosses itself")
             self.assertTrue(((abs(east - 100) < 16) & (abs(south - 100) < 16)).any(), "the hole grows")
             self.assertTrue(((abs(south - 20) > 3.1) & (abs(south - 20) < 6)).any(), "beside the path grows grass")
             whole = len(rows) if whole is None else whole
@@ -340,6 +368,16 @@ class Maps(CliTest):
         (self.folder / "cut.tif").write_bytes((self.folder / "a.tif").read_bytes()[:4000])
         (self.folder / "text.tif").write_text("no map")
         (self.folder / "text.geojson").write_text("{}")
+        # A page of the database is overwritten; half of the shapes are missing.
+        database = self.many("torn.gpkg", "GPKG")
+        pages = database.read_bytes()
+        torn = max(at for at in range(0, len(pages), 4096) if pages[at] == 13 and b"GP\0" in pages[at:at + 4096])
+        database.write_bytes(pages[:torn] + b"\xaa" * 4096 + pages[torn + 4096:])
+        shapefile = self.many("half.shp", "ESRI Shapefile")
+        shapefile.write_bytes(shapefile.read_bytes()[:shapefile.stat().st_size // 2])
+        self.geojson("mixed.geojson", f"GEOMETRYCOLLECTION({bow_tie(9, 9)},POINT({EAST} {NORTH}))")
+        self.geojson("unknown.geojson", bow_tie(9, 9), system="urn:ogc:def:crs:EPSG::99999")
+        self.geojson("metres.geojson", bow_tie(9, 9), system=None)
         cases = [(("cut.tif",), INPUT, ("cut.tif", "damaged or truncated")), (("text.tif",), INPUT, ("text.tif", "GeoTIFF")),
                  (("none.tif",), IO, ("none.tif",)), (("huge.tif",), UNSUPPORTED, ("900000000 samples", "17000000", "sward plan --tiles 300", "gdal_translate")),
                  (("complex.tif",), UNSUPPORTED, ("complex",)),
@@ -353,6 +391,11 @@ class Maps(CliTest):
                  *((("a.tif", *option), USAGE, ("a.tif", f"{option[0]} would move it")) for option in
                    (("--extent", "50", "50"), ("--flip-rows",), ("--up-axis", "z"), ("--units", "cm"), ("--scale", "2"))),
                  ((self.tif("round.tif", HEIGHTS, epsg=4978),), INPUT, ("round.tif", "WGS 84", "geocentric")),
+                 (("a.tif", "--exclude", "torn.gpkg:1"), INPUT, ("torn.gpkg", "damaged", '"areas"')),
+                 (("a.tif", "--exclude", "half.shp"), INPUT, ("half.shp", "damaged", "first 19")),
+                 (("a.tif", "--exclude", "mixed.geojson"), INPUT, ("mixed.geojson", "feature 0", "a point", "margin M")),
+                 (("a.tif", "--exclude", "unknown.geojson"), INPUT, ("unknown.geojson", "coordinate system that is not known")),
+                 (("a.tif", "--exclude", "metres.geojson"), INPUT, ("metres.geojson", "500009 to 500018", "in WGS 84 (degrees", "UTM zone 33N")),
                  (("plane", "--exclude", self.shapes("deg.geojson", "GeoJSON", 4326) + ":1"), INPUT, ("deg.geojson", "not in metres"))]
         for options, code, names in cases:
             with self.subTest(options):
