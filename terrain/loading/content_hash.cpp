@@ -6,7 +6,11 @@
 #include <fmt/core.h>
 #include <xxhash.h>
 
+#include <cstdint>
+#include <filesystem>
 #include <span>
+#include <system_error>
+#include <vector>
 
 namespace sward::terrain {
 namespace {
@@ -92,6 +96,36 @@ std::string fileHash(const std::filesystem::path& path)
 {
     const MappedFile file(path);
     return fmt::format("{:016x}", XXH3_64bits(file.bytes().data(), file.bytes().size()));
+}
+
+std::string mapFileHash(const std::filesystem::path& path)
+{
+    constexpr std::uint64_t wholeBytes = std::uint64_t(256) << 20;
+    constexpr std::uint64_t pieces = 256;
+    constexpr std::uint64_t pieceBytes = wholeBytes / pieces;
+    std::vector<std::filesystem::path> files{path};
+    for (const char* const extension : {".shx", ".dbf", ".prj", ".cpg", ".tfw", ".wld"})
+        files.push_back(std::filesystem::path(path).replace_extension(extension));
+    for (const char* const end : {".ovr", ".msk", ".aux.xml"})
+        files.emplace_back(path.string() + end);
+    Hasher hasher;
+    for (std::size_t i = 0; i < files.size(); ++i) {
+        std::error_code ignored;
+        if (i > 0 && !std::filesystem::is_regular_file(files[i], ignored))
+            continue;
+        const MappedFile file(files[i]);
+        const std::span<const std::byte> bytes = file.bytes();
+        hasher.add(double(i));
+        if (bytes.size() <= wholeBytes) {
+            hasher.add(bytes);
+            continue;
+        }
+        hasher.add(double(bytes.size()));
+        for (std::uint64_t piece = 0; piece < pieces; ++piece)
+            hasher.add(bytes.subspan((bytes.size() - pieceBytes) * piece / (pieces - 1),
+                                     pieceBytes));
+    }
+    return fmt::format("{:016x}", hasher.digest());
 }
 
 std::uint64_t appearanceHash(const GroundMesh& mesh)

@@ -353,6 +353,7 @@ void addTileFiles(std::vector<Sample>& all)
     plan.id = tileFilesId;
     plan.tiles = 3;
     plan.arguments = {"--density=2", "--", "a.glb"};
+    plan.files = {{"meadow", "0123456789abcdef"}};
     bake::writePlan(folder / "plan.json", plan, true);
     add("plan.json", 3, folder / "plan.json");
     plan.plan.seeds = tests::seedMeadow(1);

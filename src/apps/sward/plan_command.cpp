@@ -164,6 +164,7 @@ public:
                 plan.arguments.insert(plan.arguments.begin(), "--mask=" + bake::textOf(mask));
         plan.folder = fs::current_path().string();
         plan.paint = bake::hashOf(request.settings.strokes);
+        plan.files = bake::planFiles(request.settings, request.meadow);
         std::size_t triangles = 0;
         bake::withThreads(bake::threadCount(request.threads), [&] {
             triangles = write(ground, request, survey ? &*survey : nullptr, plan, output,

@@ -82,6 +82,8 @@ public:
                  request.settings.strokes.file, plan_);
         Diagnostics diagnostics;
         loadExcluded(request, diagnostics);
+        bake::requireUnchanged(plan.files, bake::planFiles(request.settings, request.meadow),
+                               plan_);
         const bake::TilePart ground = partOf(plan, request, parts, diagnostics);
         ProgressBar bar(log_.showBar());
         Progress progress(bar.callback());

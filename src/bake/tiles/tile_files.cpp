@@ -20,7 +20,7 @@ namespace {
 namespace fs = std::filesystem;
 using nlohmann::json;
 
-constexpr const char* planFormat = "sward plan 2";
+constexpr const char* planFormat = "sward plan 3";
 
 constexpr std::size_t planLimit = std::size_t(16) << 20;
 constexpr std::uint32_t maxTiles = 1'000'000;
@@ -170,12 +170,16 @@ void writePlan(const fs::path& path, const TilePlan& plan, bool overwrite)
     json arguments = json::array();
     for (const std::string& argument : plan.arguments)
         arguments.push_back(bytesToJson(argument));
+    json files = json::array();
+    for (const PlanFile& file : plan.files)
+        files.push_back({{"name", bytesToJson(file.name)}, {"hash", file.hash}});
     json object = {{"format", planFormat},
                    {"id", plan.id},
                    {"tiles", plan.tiles},
                    {"arguments", arguments},
                    {"folder", bytesToJson(plan.folder)},
                    {"paint", plan.paint},
+                   {"files", files},
                    {"windows", plan.hasWindows},
                    {"ground", groundJson(plan.report)},
                    {"resolved",
@@ -233,6 +237,9 @@ TilePlan readPlan(const fs::path& path)
             plan.arguments.push_back(bytesFromJson(argument, name + ": arguments"));
         plan.folder = bytesFromJson(object.at("folder"), name + ": folder");
         plan.paint = object.value("paint", "");
+        for (const json& file : object.at("files"))
+            plan.files.push_back({bytesFromJson(file.at("name"), name + ": files"),
+                                  file.at("hash").get<std::string>()});
         plan.hasWindows = object.value("windows", false);
         plan.report = groundReport(object.at("ground"), name);
         const json& resolved = object.at("resolved");

@@ -3,6 +3,7 @@
 #include "bake/ground/tile_region.h"
 #include "bake/report.h"
 #include "bake/tiles/bake_tile.h"
+#include "bake/tiles/plan_files.h"
 #include "bake/tiles/stored_cells.h"
 #include "terrain/ground_mesh.h"
 #include "terrain/heightmap/map_parts.h"
@@ -29,6 +30,7 @@ struct TilePlan {
     std::vector<std::string> arguments; ///< command line of the bake
     std::string folder;                 ///< base folder of files in the arguments
     std::string paint;                  ///< hash of the strokes; empty without any
+    std::vector<PlanFile> files;        ///< what tiles read beside their parts
     std::uint32_t tiles = 0;
     bool hasWindows = false; ///< its parts are windows of the map that the arguments name
     BakePlan plan;

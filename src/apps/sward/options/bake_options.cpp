@@ -426,6 +426,7 @@ BakeRequest BakeOptions::requestWith(const std::string* provenance, const std::s
         settings.excluded.push_back(bake::parseExcludedArea(area));
     settings.meadow = bake::withAssignments(
         given.meadow ? *given.meadow : bake::loadMeadow(meadow_), assignments_);
+    request.meadow = meadow_;
     settings.strokes.file = paint_;
     request.choosesMask = masks_.empty() && given.masks.empty();
     if (provenance != nullptr) {

@@ -38,6 +38,7 @@ struct BakeRequest {
     std::vector<std::string> occluders; ///< the same; block rays, bear nothing
     terrain::ImportSettings import;
     bake::BakeSettings settings;
+    std::string meadow;                 ///< file or name of --meadow
     int threads = 0;                    ///< 0: all threads of the machine
     std::string output;                 ///< empty in a dry run
     std::string report;                 ///< empty: none
