@@ -197,6 +197,11 @@ class Tiles(ClusterTest):
         done = self.refused("merge", "plan.json", "tiles", "-o", "out.sward", code=INPUT,
                             names=["damaged (3)", "belongs to plan"])
         self.assertIn(self.tile_file(3).name, done.stderr)
+        # Nor does a tile stand for another one of its plan.
+        shutil.copy(self.tile_file(1), self.tile_file(3))
+        done = self.refused("merge", "plan.json", "tiles", "-o", "out.sward", code=INPUT, names=["damaged (3)", "tile 1, not"])
+        self.assertIn(self.tile_file(3).name, done.stderr)
+        shutil.copy(self.tile_file(3, "others"), self.tile_file(3))
         # Tiles of another plan are not replaced either.
         before = digest(self.tile_file(3))
         self.refused("tile", "plan.json", "--index", "3", "-o", "tiles", code=INPUT,
@@ -204,6 +209,24 @@ class Tiles(ClusterTest):
         self.assertEqual(digest(self.tile_file(3)), before)
         self.tile(3, "--force")
         self.assertEqual(digest(self.merge()), digest(self.bake(self.ground, *OPTIONS)))
+
+    def test_a_file_that_changed_after_the_plan_is_refused(self):
+        """Masks, areas, and the meadow with its masks: named, and written anew with the same content they are no others."""
+        def mask(shade):
+            return color_png(8, 8, bytes([shade] * 3 * 8 * 8))
+        species = {"name": "a", "share": 1, "mask": "texture:own.png:R"}
+        files = {"mask.png": (mask(255), mask(128)), "own.png": (mask(255), mask(128)),
+                 "area.glb": (glb_bytes(square(9.0)), glb_bytes(square(8.0))),
+                 "own.json": tuple(json.dumps({"name": "own", "species": [{**species, "height_m": h}]}).encode() for h in (0.2, 0.3))}
+        for name, (before, _) in files.items():
+            (self.folder / name).write_bytes(before)
+        self.plan("--density", "0.1", "--mask", "texture:mask.png", "--exclude", "area.glb:1", "--meadow", "own.json", "--sky-rays", 0, tiles=2)
+        for name, (before, after) in files.items():
+            (self.folder / name).write_bytes(after)
+            self.refused("tile", "plan.json", "--index", "0", "-o", "tiles", code=INPUT, leaves=["tiles"],
+                         names=[f"{name}: has changed", "plan.json", "plan again"])
+            (self.folder / name).write_bytes(before)
+        self.tile(0)
 
     def test_a_part_of_another_plan_is_refused(self):
         self.plan(*OPTIONS)

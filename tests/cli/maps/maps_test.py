@@ -287,6 +287,19 @@ class Maps(CliTest):
                 self.assertEqual(digest(self.folder / "t.sward"), whole)
                 self.assertLess(sum(one.stat().st_size for one in self.folder.glob("plan.parts/part-*")), 30000)
 
+    def test_a_map_that_changed_after_the_plan_is_refused(self):
+        self.tif("a.tif", HEIGHTS)
+        self.tif("cover.tif", np.full((9, 9), 30, "u1"), place=(EAST, 30, 0, NORTH, 0, -30), kind="Byte")
+        self.many("areas.shp", "ESRI Shapefile")
+        self.sward("plan", "a.tif", "--density", "0.1", "--mask", "raster:cover.tif:30", "--exclude", "areas.shp:1", "--tiles", 2, "-o", "plan.json", "-q")
+        for name in ("cover.tif", "areas.shp", "areas.prj"):
+            before = (self.folder / name).read_bytes()
+            (self.folder / name).write_bytes(before[:-1] + bytes([before[-1] ^ 1]) if name != "areas.prj" else before.replace(b"33", b"32"))
+            self.refused("tile", "plan.json", "--index", "0", "-o", "parts", code=INPUT,
+                         leaves=["parts"], names=[name.replace("prj", "shp") + ": has changed", "plan.json"])
+            (self.folder / name).write_bytes(before)
+        self.sward("tile", "plan.json", "--index", "0", "-o", "parts")
+
     def test_a_map_beyond_one_ground_is_baked_by_windows(self):
         """A ground of 20 million samples, most of them missing, has the blades of the rest alone."""
         wide, high, at = 5000, 4000, (3333, 2100)
