@@ -78,6 +78,11 @@ public:
     };
     /// Passes over an array.
     ArrayPlace skip(std::size_t elementBytes);
+    /// The bytes of an array that skip() has passed over, as long as this lives.
+    std::span<const std::byte> bytesOf(const ArrayPlace& place, std::size_t elementBytes) const
+    {
+        return file_.bytes().subspan(place.at, place.count * elementBytes);
+    }
     template <typename T>
     void readOne(T& value)
     {

@@ -105,6 +105,7 @@ public:
             if (!fs::exists(bake::tilePath(folder_, i), ignored))
                 missing.push_back(i);
         }
+        field::Field field = fieldWithoutBlades(plan_);
         // Verify every tile; keep patches only while no tile has failed.
         for (std::uint32_t i = 0; i < plan.tiles; ++i) {
             throwIfInterrupted("merge");
@@ -112,7 +113,8 @@ public:
                 continue;
             try {
                 const fs::path path = bake::tilePath(folder_, i);
-                bake::StoredTile stored = bake::readTile(path, plan.id);
+                bake::StoredTile stored =
+                    bake::readTile(path, bake::tileId(plan, i), field.species.size());
                 totals.add(stored.tile);
                 if (missing.empty() && damaged.empty()) {
                     cells.add(std::move(stored.tile.cells), stored.stretch, path);
@@ -142,7 +144,6 @@ public:
         bake::finishReport(report, totals, settings, plan.plan, diagnostics);
         const std::vector<std::string> warnings = diagnostics.warnings();
         report.warnings.insert(report.warnings.end(), warnings.begin(), warnings.end());
-        field::Field field = fieldWithoutBlades(plan_);
         cells.layOut(field);
         if (plan.plan.seeds) {
             field.seeds =

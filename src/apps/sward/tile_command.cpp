@@ -64,7 +64,7 @@ public:
         const fs::path output = fs::absolute(bake::tilePath(folder_, index_));
         const fs::path parts = fs::absolute(bake::partsFolder(plan_));
         // Keep an existing valid file; replace a damaged one.
-        if (!force_ && isDone(output, plan.id)) {
+        if (!force_ && isDone(output, bake::tileId(plan, index_))) {
             writeResult(
                 fmt::format("{}: is there already; --force bakes it again\n", output.string()));
             return 0;
@@ -99,7 +99,7 @@ public:
                         : bake::bakeTile(part, request.settings, plan.plan, &region, progress);
             });
         bar.clear();
-        bake::writeTile(output, plan.id, tile);
+        bake::writeTile(output, bake::tileId(plan, index_), tile);
         const std::string seeds =
             plan.plan.seeds ? fmt::format(", seeds in {} cells ({})", tile.seeds.cells.size(),
                                           sizeText(tile.seeds.data.size()))
@@ -127,7 +127,7 @@ private:
             return false;
         std::string found;
         try {
-            found = bake::planOfTile(output);
+            found = bake::idOfTile(output);
         } catch (const Error&) {
             return false;
         }

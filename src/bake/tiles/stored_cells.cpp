@@ -1,5 +1,6 @@
 #include "bake/tiles/stored_cells.h"
 
+#include "core/error.h"
 #include "core/expect.h"
 
 #include <algorithm>
@@ -83,6 +84,15 @@ void StoredCells::add(std::vector<CellTree>&& cells, const TileStretch& stretch,
 void StoredCells::add(std::vector<CellTree>&& cells, const TileStretch& stretch,
                       std::filesystem::path file)
 {
+    for (const CellTree& cell : cells) {
+        const auto [same, isNew] =
+            tileOf_.try_emplace(cell.cell, static_cast<std::uint32_t>(tiles_.size()));
+        if (!isNew)
+            fail(ErrorKind::input, "{}: has the 32 m cell ({}, {}, {}), as {} has", file.string(),
+                 cell.cell[0], cell.cell[1], cell.cell[2],
+                 same->second < tiles_.size() ? tiles_[same->second].path.string()
+                                              : "the same file");
+    }
     addTile(std::move(cells), {stretch, nullptr, std::move(file)});
 }
 
@@ -105,6 +115,7 @@ void StoredCells::layOut(field::Field& field)
 {
     runs_ = layOutCells(cells_, field);
     cells_ = {};
+    tileOf_ = {};
 }
 
 std::uint64_t StoredCells::placeOf(const BladeRun& run) const

@@ -10,6 +10,7 @@
 #include <cstdint>
 #include <filesystem>
 #include <functional>
+#include <map>
 #include <memory>
 #include <span>
 #include <vector>
@@ -37,7 +38,8 @@ public:
     /// Adds the cells of a tile, without blades and keys, that lie in an open file.
     void add(std::vector<CellTree>&& cells, const TileStretch& stretch,
              std::shared_ptr<const PieceFile> file);
-    /// The same for a file that is opened when it is read.
+    /// The same for a file that is opened when it is read. Throws Error{input} that names it, and
+    /// the other file, if a cell is there already.
     void add(std::vector<CellTree>&& cells, const TileStretch& stretch, std::filesystem::path file);
 
     /// Lays the patches of all cells out in `field`, once, after the last tile. Then the blades can
@@ -70,8 +72,9 @@ private:
     std::uint64_t placeOf(const BladeRun& run) const;
 
     std::vector<Tile> tiles_;
-    std::vector<CellTree> cells_; ///< until they are laid out
-    std::vector<Place> places_;   ///< one per cell
+    std::vector<CellTree> cells_;                ///< until they are laid out
+    std::vector<Place> places_;                  ///< one per cell
+    std::map<CellNumber, std::uint32_t> tileOf_; ///< of cells in files, until they are laid out
     std::vector<BladeRun> runs_;
     std::uint64_t count_ = 0;
 };

@@ -10,7 +10,9 @@
 
 #include <nlohmann/json.hpp>
 
+#include <cstring>
 #include <limits>
+#include <span>
 #include <string>
 #include <string_view>
 
@@ -146,6 +148,17 @@ void checkTree(const CellTree& cell, std::uint64_t blades, const fs::path& path)
     if (cell.patches.empty() || nextBlade != blades || nextChild != cell.patches.size())
         fail(ErrorKind::input, "{}: a cell's patches have {} of {} blades and {} of {} patches",
              path.string(), nextBlade, blades, nextChild, cell.patches.size());
+}
+
+void checkSpecies(std::span<const std::byte> blades, std::size_t species, const fs::path& path)
+{
+    for (std::size_t at = 0; at < blades.size(); at += sizeof(shared::PackedBlade)) {
+        shared::PackedBlade blade;
+        std::memcpy(&blade, blades.data() + at, sizeof blade);
+        if (const std::uint32_t own = blade.look >> 21U & 7U; own >= species)
+            fail(ErrorKind::input, "{}: blade {} has species {}; there are {}", path.string(),
+                 at / sizeof blade, own, species);
+    }
 }
 
 // Checks that the frames of cells follow one another.
@@ -383,7 +396,12 @@ void writeTile(const fs::path& path, const std::string& id, const TileResult& ti
     writer.commit();
 }
 
-std::string planOfTile(const fs::path& path)
+std::string tileId(const TilePlan& plan, std::uint32_t tile)
+{
+    return fmt::format("{}, tile {}", plan.id, tile);
+}
+
+std::string idOfTile(const fs::path& path)
 {
     terrain::RecordReader reader(path, tileKind);
     std::string id;
@@ -391,7 +409,7 @@ std::string planOfTile(const fs::path& path)
     return id;
 }
 
-StoredTile readTile(const fs::path& path, const std::string& id)
+StoredTile readTile(const fs::path& path, const std::string& id, std::size_t species)
 {
     terrain::RecordReader reader(path, tileKind);
     std::string own;
@@ -425,6 +443,7 @@ StoredTile readTile(const fs::path& path, const std::string& id)
         keys.count != stored.stretch.count * sizeof(field::BladeKey))
         fail(ErrorKind::input, "{}: {} blades and {} bytes of keys for cells of {} blades",
              path.string(), blades.count, keys.count, stored.stretch.count);
+    checkSpecies(reader.bytesOf(blades, sizeof(shared::PackedBlade)), species, path);
     reader.read(tile.seeds.cells);
     const auto seeds = reader.skip(1);
     stored.seedBytes = seeds.at;

@@ -84,10 +84,13 @@ TilePart readWindowPart(const std::filesystem::path& folder, std::uint32_t tile,
 /// Path of a tile's result in the folder of results.
 std::filesystem::path tilePath(const std::filesystem::path& folder, std::uint32_t tile);
 
+/// What the file of a tile names: its plan and its number, so that none stands for another.
+std::string tileId(const TilePlan& plan, std::uint32_t tile);
+
 void writeTile(const std::filesystem::path& path, const std::string& id, const TileResult& tile);
 
-/// Plan id of a tile; verifies the whole file.
-std::string planOfTile(const std::filesystem::path& path);
+/// Id of a tile; verifies the whole file.
+std::string idOfTile(const std::filesystem::path& path);
 
 /// A tile whose blades and keys stay in its file.
 struct StoredTile {
@@ -96,7 +99,9 @@ struct StoredTile {
     std::uint64_t seedBytes = 0; ///< [bytes] where those of the seeds begin
 };
 
-/// Verifies the whole file. Also throws Error{input} if the tile belongs to another plan.
-StoredTile readTile(const std::filesystem::path& path, const std::string& id);
+/// Verifies the whole file. Also throws Error{input} if the tile has another id, or a blade whose
+/// species is not below `species`.
+StoredTile readTile(const std::filesystem::path& path, const std::string& id,
+                    std::size_t species = shared::maxSpecies);
 
 } // namespace sward::bake

@@ -103,6 +103,12 @@ TEST(TileFile, RefusesPatchesOutsideOfTheirCell)
     constexpr std::size_t keyBytes = 3 * sizeof(field::BladeKey);
     forgeTile(path, smallTile().cells[0], keyBytes);
     EXPECT_NO_THROW(readTile(path, "plan"));
+    try {
+        readTile(path, "plan", 0);
+        FAIL() << "a species that there is not";
+    } catch (const Error& error) {
+        EXPECT_NE(std::string_view(error.what()).find(path.string()), std::string_view::npos);
+    }
     forgeTile(path, smallTile().cells[0], keyBytes - 1);
     EXPECT_THROW(readTile(path, "plan"), Error);
     const auto refuses = [&](auto change) {
