@@ -43,8 +43,12 @@ const Format& formatOf(const std::filesystem::path& path, const ExportSettings& 
         }
         known += std::string(known.empty() ? "" : ", ") + format.extension;
     }
-    fail(ErrorKind::unsupported, "{}: cannot export to '{}'; known are {}", path.string(),
-         path.extension().string(), known);
+    const std::string extension = path.extension().string();
+    fail(ErrorKind::unsupported,
+         "{}: {}; known are {}, a folder {}/ for a page, and --tiles for a folder of 3D Tiles",
+         path.string(),
+         extension.empty() ? "its name says no format" : "cannot export to '" + extension + "'",
+         known, extension.empty() ? path.string() : "NAME");
 }
 
 } // namespace sward::interchange

@@ -90,9 +90,9 @@ std::uint64_t writePage(const field::FieldView& field, const std::filesystem::pa
                         const ExportSettings& settings, Progress& progress)
 {
     std::error_code error;
-    std::filesystem::create_directories(folder, error);
+    std::filesystem::create_directory(folder, error);
     if (error)
-        fail(ErrorKind::io, "{}: the folder cannot be made", folder.string());
+        fail(ErrorKind::io, "{}: the folder cannot be made: {}", folder.string(), error.message());
     progress.begin("export", embedded::page().size() + 2);
     std::uint64_t bytes = 0;
     const auto put = [&](std::string_view name, std::string_view text) {

@@ -153,7 +153,7 @@ class FieldFile(CliTest):
     def test_an_unknown_extension_names_those_that_exist(self):
         for name in ("f.abc", "f", "f.CSV2"):
             self.refused("export", "field.sward", "-o", name, code=UNSUPPORTED,
-                         names=[name, ".glb", ".ply", ".usda", ".csv"])
+                         names=[name, ".glb", ".ply", ".usda", ".csv", "NAME/" if "." in name else "f/", "--tiles"])
 
     def test_an_existing_export_is_refused(self):
         (self.folder / "f.csv").write_text("precious")

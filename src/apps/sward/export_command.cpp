@@ -42,10 +42,13 @@ bool isPage(const std::string& output)
 void checkPage(const std::filesystem::path& folder, bool overwrite)
 {
     std::error_code ignored;
-    if (!std::filesystem::exists(folder, ignored))
+    const std::filesystem::path place = folder.has_filename() ? folder : folder.parent_path();
+    if (!std::filesystem::exists(place, ignored)) {
+        requireWritable(place, overwrite);
         return;
-    if (!std::filesystem::is_directory(folder, ignored))
-        fail(ErrorKind::io, "{}: is no folder", folder.string());
+    }
+    if (!std::filesystem::is_directory(place, ignored))
+        fail(ErrorKind::io, "{}: exists and is no folder", place.string());
     if (!overwrite && !std::filesystem::is_empty(folder, ignored))
         fail(ErrorKind::io, "{}: the folder is not empty; --force writes the page into it",
              folder.string());

@@ -129,6 +129,8 @@ void refuseOverwrite(const std::filesystem::path& path, bool overwrite)
         fail(ErrorKind::io, "{}: exists already; --force overwrites it", path.string());
     const std::filesystem::path target = targetOf(path);
     const std::filesystem::path folder = folderOf(target);
+    if (std::filesystem::exists(folder, ignored) && !std::filesystem::is_directory(folder, ignored))
+        fail(ErrorKind::io, "{}: {} is no folder", path.string(), folder.string());
     if (!std::filesystem::is_directory(folder, ignored))
         fail(ErrorKind::io, "{}: the folder {} does not exist", path.string(), folder.string());
     const std::string name = target.filename().string();

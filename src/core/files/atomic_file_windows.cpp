@@ -120,6 +120,8 @@ void refuseOverwrite(const fs::path& path, bool overwrite)
     if (!overwrite && fs::exists(path, ignored))
         fail(ErrorKind::io, "{}: exists already; --force overwrites it", path.string());
     const fs::path folder = folderOf(path);
+    if (fs::exists(folder, ignored) && !fs::is_directory(folder, ignored))
+        fail(ErrorKind::io, "{}: {} is no folder", path.string(), folder.string());
     if (!fs::is_directory(folder, ignored))
         fail(ErrorKind::io, "{}: the folder {} does not exist", path.string(), folder.string());
     const std::wstring name = path.filename().wstring();

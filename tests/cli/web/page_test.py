@@ -96,6 +96,12 @@ class Page(CliTest):
         self.sward("export", self.field, "-o", "page/", "--force")
         self.assertIn("<title>", (self.folder / "page/index.html").read_text(encoding="utf-8"))
 
+    def test_a_place_that_takes_no_folder_is_refused_with_the_reason(self):
+        (self.folder / "file").touch()
+        for name, why in (("file/", "is no folder"), ("file/page/", "file is no folder"), ("missing/page/", "folder missing does not exist")):
+            self.refused("export", self.field, "-o", name, "--force", code=IO, names=[name.rstrip("/"), why])
+        self.assertFalse((self.folder / "missing").exists())
+
     def test_a_page_takes_no_option_of_other_formats(self):
         self.refused("export", self.field, "-o", "page/", "--with-ground", code=USAGE, names=["page/", ".glb"])
 

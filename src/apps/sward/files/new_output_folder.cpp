@@ -1,6 +1,7 @@
 #include "apps/sward/files/new_output_folder.h"
 
 #include "core/error.h"
+#include "core/files/atomic_file.h"
 #include "core/system/new_folder.h"
 
 #include <fmt/format.h>
@@ -36,13 +37,12 @@ void moveFolder(const fs::path& from, const fs::path& to)
 void NewOutputFolder::requirePlace(const fs::path& place, const fs::path& mark, bool overwrite)
 {
     std::error_code ignored;
-    if (!fs::is_directory(folderAbove(place), ignored))
-        fail(ErrorKind::io, "{}: the folder {} does not exist", place.string(),
-             folderAbove(place).string());
-    if (!fs::exists(place, ignored))
+    if (!fs::exists(withoutSlash(place), ignored)) {
+        requireWritable(withoutSlash(place), overwrite);
         return;
+    }
     if (!fs::is_directory(place, ignored))
-        fail(ErrorKind::io, "{}: exists and is not a folder", place.string());
+        fail(ErrorKind::io, "{}: exists and is not a folder", withoutSlash(place).string());
     if (fs::is_empty(place, ignored))
         return;
     if (!fs::exists(place / mark, ignored))
