@@ -66,7 +66,7 @@ public:
                              baked ? &baked->view() : nullptr);
         });
         request_.moveStrokes = 0.0; // those of the session are on the ground, and stay
-        maxBlades_ = std::max(request_.settings.maxBlades, session_->bladeCount());
+        bladesBefore_ = session_->bladeCount();
         issueWarnings(diagnostics);
     }
 
@@ -90,11 +90,12 @@ public:
         bake::Session::Change change;
         work(callback, [&](Progress& progress) {
             change = session_->apply(std::move(next), progress);
-            if (session_->bladeCount() > maxBlades_) {
-                const std::uint64_t total = session_->bladeCount();
+            try {
+                bake::requireBlades(session_->bladeCount(), bladesBefore_,
+                                    request_.settings.maxBlades);
+            } catch (const Error&) {
                 session_->apply(before, progress);
-                fail(ErrorKind::input, "{} blades after the change, more than --max-blades {}",
-                     total, maxBlades_);
+                throw;
             }
         });
         try {
@@ -169,7 +170,7 @@ private:
     apps::BakeRequest request_;
     std::unique_ptr<terrain::GroundMesh> ground_;
     std::optional<bake::Session> session_;
-    std::uint64_t maxBlades_ = 0;
+    std::uint64_t bladesBefore_ = 0;
     mutable std::atomic<bool> isBusy_ = false;
 };
 

@@ -11,7 +11,7 @@ import zlib
 from support import CliTest, DONE, INTERRUPTED, IO, PROGRAM, USAGE
 
 # Minutes of work, so that a test that passes shows that none was done.
-LONG = ("--count", "150000000")
+LONG = ("--count", "130000000")
 
 
 def png():

@@ -29,7 +29,7 @@ class Output(CliTest):
     def test_the_refusal_comes_before_any_work(self):
         # This bake would take minutes.
         (self.folder / "f.sward").write_text("precious")
-        self.refused("bake", "sphere", "-o", "f.sward", "--count", "150000000", code=IO,
+        self.refused("bake", "sphere", "-o", "f.sward", "--count", "130000000", code=IO,
                      names=["f.sward"])
 
     def test_an_existing_report_is_refused_beforehand(self):

@@ -120,9 +120,9 @@ class Paint(CliTest):
 
     def test_more_than_max_blades_with_strokes_is_refused(self):
         strokes = self.paint(stroke("add", (0, 0, 0), radius=5, ceiling=4))
-        self.refused("bake", "plane", "--density", "100", "--max-blades", "50000", "-o", "out.sward",
-                     "--paint", strokes, code=INPUT, names=["strokes.json", "--max-blades 50000"])
-        self.bake("plane", "--density", "100", "--max-blades", "50000")
+        self.refused("bake", "plane", "--density", "100", "--max-blades", "70000", "-o", "out.sward",
+                     "--paint", strokes, code=INPUT, names=["strokes.json", "--max-blades 70000"])
+        self.bake("plane", "--density", "100", "--max-blades", "70000")
 
     def test_a_dry_run_counts_strokes(self):
         # More than the 400000 blades that an estimate samples.

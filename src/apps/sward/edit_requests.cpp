@@ -82,7 +82,8 @@ EditRequests::EditRequests(bake::Session& session, std::vector<std::string> spec
     , species_(std::move(species))
     , deltas_(std::move(deltas))
     , sources_(std::move(sources))
-    , maxBlades_(std::max(maxBlades, session.bladeCount()))
+    , maxBlades_(maxBlades)
+    , bladesBefore_(session.bladeCount())
     , load_(std::move(load))
 {
 }
@@ -118,9 +119,7 @@ bake::Strokes EditRequests::strokesOf(const json& request) const
 json EditRequests::answerOf(const bake::Session::Change& change, Stopwatch& watch)
 {
     const std::uint64_t total = session_.bladeCount();
-    if (total > maxBlades_)
-        fail(ErrorKind::input, "{} blades after the change, more than --max-blades {}", total,
-             maxBlades_);
+    bake::requireBlades(total, bladesBefore_, maxBlades_);
     json delta;
     if (!change.cells.empty()) {
         const std::filesystem::path path = deltas_ / fmt::format("{}.swdelta", deltaNumber_ + 1);

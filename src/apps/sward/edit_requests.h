@@ -66,6 +66,7 @@ private:
     std::filesystem::path deltas_;
     std::vector<std::string> sources_;
     std::uint64_t maxBlades_;
+    std::uint64_t bladesBefore_; ///< at the start
     LoadGround load_;
     std::unique_ptr<const terrain::GroundMesh> ground_; ///< that replaced the session's first one
     std::uint64_t deltaNumber_ = 0;

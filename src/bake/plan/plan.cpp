@@ -34,9 +34,8 @@ void closeSward(Plan& plan, const BakeSettings& settings, Diagnostics& diagnosti
     plan.expected = plan.density * plan.area;
     // Ribbons of plants take as much memory as blades.
     const double perRoot = bladesPerRoot(settings.meadow);
-    const double budget = double(settings.budget) / perRoot;
-    const bool isBudget = budget <= double(settings.maxBlades);
-    const double limit = isBudget ? budget : double(settings.maxBlades);
+    const bool isBudget = settings.budget <= settings.maxBlades;
+    const double limit = double(std::min(settings.budget, settings.maxBlades)) / perRoot;
     const char* const option = isBudget ? "--budget" : "--max-blades";
     if (plan.expected <= limit)
         return;
@@ -86,11 +85,16 @@ Plan planBake(double area, double extent, const BakeSettings& settings, Diagnost
     }
     if (settings.spread != Spread::uniform && !settings.spacing && !settings.count)
         plan.spacing = plan.density > 0.0 ? std::sqrt(yield / plan.density) : 0.0;
-    if (plan.expected > double(settings.maxBlades))
+    // Ribbons take as much memory as blades; what closeSward() has limited may exceed it by an ulp.
+    const double perRoot = bladesPerRoot(settings.meadow);
+    if (plan.expected * perRoot > double(settings.maxBlades) * (1.0 + 1e-12))
         fail(ErrorKind::input,
-             "{:.6g} blades would grow on {:.4g} m², more than --max-blades {}; about {:.3g} GB",
-             plan.expected, area, settings.maxBlades,
-             plan.expected * bladesPerRoot(settings.meadow) * bytesPerBlade * 1e-9);
+             "{:.6g} blades{} would grow on {:.4g} m², more than --max-blades {}; about {:.3g} GB",
+             plan.expected,
+             perRoot > 1.0
+                 ? fmt::format(" ({:.6g} with the ribbons of plants)", plan.expected * perRoot)
+                 : "",
+             area, settings.maxBlades, plan.expected * perRoot * bytesPerBlade * 1e-9);
     return plan;
 }
 

@@ -29,7 +29,7 @@ double automaticScale(double area);
 /// ribbons of plants among them. Fewer blades are up to twice as wide, and a warning tells. The
 /// spacing is widened by the quantisation error of the field file (at most 0.9 mm), so that it also
 /// holds there. `extent` [m] is the ground's largest extent. Throws Error{input} when more than
-/// maxBlades roots would grow.
+/// maxBlades blades, ribbons included, would grow.
 Plan planBake(double area, double extent, const BakeSettings& settings, Diagnostics& diagnostics);
 
 } // namespace sward::bake

@@ -14,6 +14,7 @@
 #include "bake/whole/all_cells.h"
 #include "bake/whole/field_header.h"
 #include "bake/whole/whole_plan.h"
+#include "core/error.h"
 #include "terrain/query/surface_query.h"
 #include "terrain/topology/surface_features.h"
 
@@ -404,6 +405,18 @@ const std::map<field::CellIndex, CellTree>& Session::cells() const
 std::uint64_t Session::bladeCount() const
 {
     return parts_->bladeCount();
+}
+
+void requireBlades(std::uint64_t blades, std::uint64_t before, std::uint64_t most)
+{
+    if (blades <= std::max(most, before))
+        return;
+    if (before > most)
+        fail(ErrorKind::input,
+             "{} blades after the change, more than {} at the start, which are more than "
+             "--max-blades {}",
+             blades, before, most);
+    fail(ErrorKind::input, "{} blades after the change, more than --max-blades {}", blades, most);
 }
 
 std::uint64_t Session::Parts::bladeCount() const

@@ -85,4 +85,8 @@ private:
     std::unique_ptr<Parts> parts_;
 };
 
+/// Throws Error{input} for more blades after a change than `most`, --max-blades, and than `before`,
+/// at the start of the session.
+void requireBlades(std::uint64_t blades, std::uint64_t before, std::uint64_t most);
+
 } // namespace sward::bake

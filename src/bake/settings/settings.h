@@ -55,7 +55,7 @@ struct BakeSettings {
     std::optional<double> spacing;         ///< [m] between roots of Poisson disks; sets the density
     Spread spread = Spread::uniform;       ///< distribution of roots
     std::uint64_t budget = usualBudget;    ///< most blades and ribbons where the meadow decides
-    std::uint64_t maxBlades = 200'000'000; ///< larger bakes fail before sampling
+    std::uint64_t maxBlades = 200'000'000; ///< with ribbons; larger bakes fail before sampling
     SeedUse seeds = SeedUse::never;        ///< whether the field holds seeds
     std::optional<double> bladeScale;      ///< none: automatic, smaller on small ground
     std::uint64_t seed = 0;                ///< seed of all random numbers

@@ -81,6 +81,9 @@ void add(Report::Timing& sum, const Report::Timing& more)
 void Totals::add(const TileResult& tile)
 {
     counts.kept += tile.counts.kept;
+    for (const CellTree& cell : tile.cells)
+        for (const shared::Patch& patch : cell.patches)
+            blades += patch.bladeCount;
     counts.undersides += tile.counts.undersides;
     counts.proposed += tile.counts.proposed;
     for (std::size_t i = 0; i < rejectCount; ++i)
@@ -111,10 +114,12 @@ void finishReport(Report& report, const Totals& totals, const BakeSettings& sett
         totals.counts.kept > 0)
         fail(ErrorKind::input, "--count {}: the ground keeps only {} of its candidates",
              *settings.count, totals.counts.kept);
-    if (!settings.strokes.empty() && totals.counts.kept > settings.maxBlades)
-        fail(ErrorKind::input,
-             "--paint {}: {} blades grow with these strokes, more than --max-blades {}",
-             settings.strokes.file, totals.counts.kept, settings.maxBlades);
+    if (!settings.strokes.empty() && totals.blades > settings.maxBlades)
+        fail(
+            ErrorKind::input,
+            "--paint {}: {} blades, ribbons of plants included, grow with these strokes, more than "
+            "--max-blades {}",
+            settings.strokes.file, totals.blades, settings.maxBlades);
     report.bladeScale = plan.plan.scale;
     report.masks = maskUses(settings);
     report.densityRequested = settings.count ? 0.0 : plan.plan.density;

@@ -6,11 +6,14 @@
 #include "core/diagnostics.h"
 #include "terrain/ground_mesh.h"
 
+#include <cstdint>
+
 namespace sward::bake {
 
 /// Sums over several tiles.
 struct Totals {
     RootCounts counts;
+    std::uint64_t blades = 0;    ///< in the cells of tiles: of a field with seeds those stored
     double spacingMinimum = 0.0; ///< [m]; 0: none was measured
     Report::Timing timing;
 
