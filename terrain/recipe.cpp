@@ -221,8 +221,8 @@ GroundMesh heightmap(Recipe& recipe, const std::string& place, const std::filesy
     recipe.reader.finish();
     if (!isHeightmap(file))
         fail(ErrorKind::input,
-             "{}: file: \"{}\" is not a heightmap (.png .r16 .raw .r32 .hgt .asc .exr)", place,
-             file);
+             "{}: file: \"{}\" is not a heightmap (.png .r16 .raw .r32 .hgt .asc .exr .tif .tiff)",
+             place, file);
     if (size)
         s.size = glm::uvec2(*size);
     if (!mask.empty())

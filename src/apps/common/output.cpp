@@ -20,10 +20,11 @@ namespace sward::apps {
 namespace {
 
 // What Sward reads or writes; a file under such a name is taken for one.
-constexpr std::array<std::string_view, 26> formats{
-    ".sward", ".json", ".png", ".csv", ".glb",  ".gltf", ".ply", ".usda", ".usd",
-    ".usdc",  ".obj",  ".mtl", ".bin", ".stl",  ".off",  ".r16", ".raw",  ".r32",
-    ".hgt",   ".asc",  ".exr", ".jpg", ".jpeg", ".tga",  ".bmp", ".fbx"};
+constexpr std::array<std::string_view, 31> formats{
+    ".sward", ".json", ".png", ".csv",  ".glb",     ".gltf", ".ply",  ".usda",
+    ".usd",   ".usdc", ".obj", ".mtl",  ".bin",     ".stl",  ".off",  ".r16",
+    ".raw",   ".r32",  ".hgt", ".asc",  ".exr",     ".jpg",  ".jpeg", ".tga",
+    ".bmp",   ".fbx",  ".tif", ".tiff", ".geojson", ".gpkg", ".shp"};
 constexpr std::array<std::string_view, 4> exported{".glb", ".ply", ".usda", ".csv"};
 
 std::string extensionOf(const std::filesystem::path& path)

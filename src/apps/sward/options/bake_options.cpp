@@ -91,9 +91,8 @@ void BakeOptions::add(CLI::App& app)
 {
     app.add_option("INPUT", direct_.inputs,
                    "Ground, one or several files: a mesh (.glb .gltf .obj .ply .stl .off), a "
-                   "heightmap (.png .r16 .raw .r32 .hgt .asc .exr), a recipe (.json), or a "
-                   "built-in: plane sphere hills "
-                   "dunes torus arch")
+                   "heightmap (.png .r16 .raw .r32 .hgt .asc .exr), a map of heights (.tif .tiff), "
+                   "a recipe (.json), or a built-in: plane sphere hills dunes torus arch")
         ->type_name("");
     addGround(app);
     addAmount(app);
@@ -224,8 +223,8 @@ void BakeOptions::addAmount(CLI::App& app)
         ->group(group)
         ->capture_default_str();
     app.add_option("--max-blades", direct_.settings.maxBlades,
-                   "Limit on the number of blades, 0 to 4 billion; a larger bake is refused "
-                   "before it begins")
+                   "Limit on the number of blades that are expected, 0 to 4 billion, ribbons of "
+                   "plants included; a larger bake is refused before it begins")
         ->type_name("N")
         ->group(group)
         ->capture_default_str();
@@ -281,14 +280,16 @@ void BakeOptions::addPlaces(CLI::App& app)
         "--mask", masks_, "MASK",
         "Factor on the density, from vertex-color:C (vertex-color1:C, vertex-color:_NAME), "
         "texture:FILE[:C] or material-texture:C, or ground:green, which is 1 where the ground's "
-        "own colour is that of grass; C is R, G, B or A; a texture lies at TEXCOORD_0, with :uv1 "
+        "own colour is that of grass, or raster:FILE[:bN][:V,V|:A..B], which is 1 where band N of "
+        "a GeoTIFF (.tif .tiff) has one of the values V, or rises from 0 at A to 1 at B; C is R, "
+        "G, B or A; a texture lies at TEXCOORD_0, with :uv1 "
         "at another set, with :transform as the material's image; :or-white makes vertex colours "
         "white in parts without any; :invert may follow; may be repeated; none: no mask")
         ->allow_extra_args(false)
         ->default_str("ground:green where the ground is clearly green in part, else none");
     option("--exclude", excluded_, "FILE[:margin M]",
-           "No grass above, below or within M metres of these meshes; M is 0 to 1e9, 0 if left "
-           "out");
+           "No grass above, below or within M metres of these meshes, or of the areas of a map "
+           "(.geojson .gpkg .shp), whose lines and points need M; M is 0 to 1e9, 0 if left out");
     option("--paint", paint_, "FILE.json",
            "Strokes painted on the ground, in their order: more or less grass, species, heights, "
            "dry grass, trodden paths");

@@ -69,7 +69,7 @@ void warnWithoutHeightmap(const BakeRequest& request, Diagnostics& diagnostics)
         std::none_of(request.occluders.begin(), request.occluders.end(), isMap))
         diagnostics.warn("--size, --extent, --height, --hole-mask, --endian, --encoding, "
                          "--flip-rows and --no-data are ignored: no INPUT is a heightmap (.png "
-                         ".r16 .raw .r32 .hgt .asc .exr)");
+                         ".r16 .raw .r32 .hgt .asc .exr .tif .tiff)");
 }
 
 // Bounds of a ground in the world, and its input.
