@@ -83,7 +83,7 @@ class Amount(CliTest):
                      code=INPUT, names=["1001", "1000"])
         # Ribbons count: prairie has plants, grass has none.
         for meadow, code in (("grass", 0), ("prairie", INPUT)):
-            said = self.sward("bake", "square.glb", "-o", "f.sward", "--count", "1000", "--max-blades", "1000", "--meadow", meadow, code=code).stderr
+            said = self.sward("bake", "square.glb", "-o", "f.sward", "--count", "1000", "--max-blades", "1000", "--meadow", meadow, "--force", code=code).stderr
         self.assertIn("with the ribbons of plants", said)
 
     def test_without_a_wish_the_number_keeps_to_the_budget_and_says_so(self):
