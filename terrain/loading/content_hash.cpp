@@ -122,8 +122,8 @@ std::string mapFileHash(const std::filesystem::path& path)
         }
         hasher.add(double(bytes.size()));
         for (std::uint64_t piece = 0; piece < pieces; ++piece)
-            hasher.add(bytes.subspan((bytes.size() - pieceBytes) * piece / (pieces - 1),
-                                     pieceBytes));
+            hasher.add(
+                bytes.subspan((bytes.size() - pieceBytes) * piece / (pieces - 1), pieceBytes));
     }
     return fmt::format("{:016x}", hasher.digest());
 }

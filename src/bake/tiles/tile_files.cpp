@@ -239,7 +239,7 @@ TilePlan readPlan(const fs::path& path)
         parseJson({reinterpret_cast<const char*>(bytes.data()), bytes.size()}, name);
     try {
         if (object.at("format") != planFormat)
-            fail(ErrorKind::unsupported, "{}: is \"{}\", not \"{}\"", name,
+            fail(ErrorKind::unsupported, "{}: is {}, not \"{}\"; plan again", name,
                  jsonText(object.at("format")), planFormat);
         TilePlan plan;
         plan.id = object.at("id").get<std::string>();
