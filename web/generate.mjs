@@ -51,6 +51,9 @@ function piecesOf(path, seen = new Set()) {
   });
 }
 
+/** A line without spaces around operators, which takes a thirtieth off the script. Minus keeps them: `a - -b`. */
+const tight = (line) => line.replace(/ ([*/+=<>?:]|[-+*/=!<>&|^]=|&&|\|\|) /g, "$1").replace(/, /g, ",");
+
 /** Positions of the bracket that closes the one at `at`. */
 function closing(text, at) {
   for (let depth = 0, i = at; i < text.length; ++i) {
@@ -145,7 +148,8 @@ function translate() {
       text = text.replace(frame[0], "").replace("Frame fetchFrameArray(uint i);", "");
     }
     text = text.replace("MEMBERS_OF_FRAME", () => frameBody);
-    pieces.set(key, text.replace(/[ \t]+$/gm, "").replace(/\n{2,}/g, "\n").replace(/^[ \t]+/gm, "").trimStart());
+    text = text.replace(/[ \t]+$/gm, "").replace(/\n{2,}/g, "\n").replace(/^[ \t]+/gm, "").trimStart();
+    pieces.set(key, text.replace(/^[^#\n].*$/gm, tight));
   }
 }
 
@@ -162,7 +166,7 @@ const head =
 /** std140 offsets of all leaves of a struct, by path. */
 function layoutOf(text, name) {
   const constants = new Map();
-  for (const [, key, value] of text.matchAll(/^const (?:uint|int|float) (\w+) = ([^;]+);/gm))
+  for (const [, key, value] of text.matchAll(/^const (?:uint|int|float) (\w+) ?= ?([^;]+);/gm))
     constants.set(key, value);
   const number = (expression) => {
     const plain = expression.replace(/\b(\d+)u\b/g, "$1").replace(/[a-zA-Z]\w*/g, (key) => number(constants.get(key)));

@@ -102,13 +102,20 @@ export function translate() {
 /** Structs whose members TypeScript places, and a stage that has them. Frame and Looks have the places of layout.ts. */
 const placed = { Push: "resolve", Material: "groundFragment", Patch: "update" };
 
+/**
+ * Text without spaces around operators, as in generate.mjs. Divisions keep them, since a division by `*p` would begin a
+ * comment, and so does what follows `>`, which may end a template.
+ */
+const tight = (text) => text.replace(/(?<!>) ([*+=:]|[-+*=!&|^]=|&&|\|\|) /g, "$1").replace(/, /g, ",");
+
 /** Writes src/generated/wgsl.ts, unless `output` is null; returns the texts of all stages by their names. */
 export function generateWgsl(output = join(here, "src/generated")) {
   const done = translate();
   const pool = new Map();
   const texts = {};
   const lines = [];
-  for (const [name, { head, pieces, resources }] of Object.entries(done)) {
+  for (const [name, { head, pieces: loose, resources }] of Object.entries(done)) {
+    const pieces = loose.map(tight);
     texts[name] = `${head}${pieces.join("\n")}\n`;
     const own = pieces.map((piece) => {
       if (!pool.has(piece)) pool.set(piece, pool.size);
