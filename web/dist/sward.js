@@ -1088,7 +1088,7 @@ function parseSeed(text, place) {
   return [parseInt(digits.slice(0, 8), 16), parseInt(digits.slice(8), 16)];
 }
 function parseSeedMeadow(text, place) {
-  let reader = new SettingsReader(parseJson(text, place), place), flag = (key) => {
+  let reader = new SettingsReader(parseJson(text, place), place), flag2 = (key) => {
     let value = reader.value(key) ?? !1;
     return typeof value != "boolean" && fail("input", `${place}: expected true or false, found ${JSON.stringify(value)}`), value;
   }, meadow = {
@@ -1100,7 +1100,7 @@ function parseSeedMeadow(text, place) {
     storedWidening: reader.number("stored_widening", 1, 1, 2),
     unitBits: reader.number("unit_bits", 20, 11, 24),
     levels: reader.number("levels", 0, 0, 10),
-    isMixed: flag("mixed"),
+    isMixed: flag2("mixed"),
     heightWaves: reader.number("height_waves", 0, 0, 0.5),
     drifts: reader.number("drifts", 0, 0, 1),
     sparseHeight: reader.number("sparse_height", 1, 0, 1),
@@ -1108,7 +1108,7 @@ function parseSeedMeadow(text, place) {
     creaseReach: reader.number("crease_reach", 0, 0, longest),
     creaseBlend: reader.number("crease_blend", 0, 0, 1),
     vertical: reader.number("vertical", 0, 0, 1),
-    isRadial: flag("radial"),
+    isRadial: flag2("radial"),
     up: reader.vector("up", [0, 1, 0], -farthestOrigin, farthestOrigin),
     highest: reader.number("highest", 1, 1e-9, longest),
     widest: reader.number("widest", 1, 1e-9, longest),
@@ -1178,6 +1178,25 @@ var entryBytes2 = 48, Seeds = class _Seeds {
   }
 };
 
+// src/format/options.ts
+function shown2(value) {
+  let text = typeof value == "function" ? "a function" : JSON.stringify(value) ?? String(value);
+  return text.length > 80 ? `${text.slice(0, 79)}…` : text;
+}
+function expectOption(place, value, allowed, isAllowed) {
+  isAllowed || fail("usage", `${place}: ${shown2(value)} is not ${allowed}`);
+}
+function checkOptions(place, options, rules2, needed) {
+  let isObject = typeof options == "object" && options !== null;
+  expectOption(place, options, `an object with some of ${Object.keys(rules2).join(", ")}`, isObject);
+  let values = options;
+  for (let name of Object.keys(values))
+    Object.hasOwn(rules2, name) || fail("usage", `${place}: no option ${name}; there are ${Object.keys(rules2).join(", ")}`);
+  for (let [name, [allowed, test]] of Object.entries(rules2))
+    (values[name] !== void 0 || name === needed) && expectOption(`${place}: option ${name}`, values[name], allowed, test(values[name]));
+}
+var address = ["the address of a file", (value) => typeof value == "string" && value !== "" || value instanceof URL], flag = ["true or false", (value) => typeof value == "boolean"], callback = ["a function", (value) => typeof value == "function"];
+
 // src/format/source.ts
 var BufferSource = class {
   constructor(name, bytes) {
@@ -1244,28 +1263,29 @@ async function bodyInParts(response, name, onProgress) {
 function isAbort(error) {
   return error instanceof Error && error.name === "AbortError" && !(error instanceof SwardError);
 }
-async function openSource(address, options = {}) {
+async function openSource(address2, options = {}) {
+  expectOption("openField", address2, address[0], address[1](address2)), address2 = String(address2);
   let doFetch = options.fetch ?? fetch, get = async (range) => {
     try {
-      return await doFetch(address, {
+      return await doFetch(address2, {
         headers: range ? { Range: range } : {},
         signal: options.signal ?? null
       });
     } catch (error) {
       if (isAbort(error)) throw error;
-      fail("io", `${address}: no answer from the server`);
+      fail("io", `${address2}: no answer from the server`);
     }
   }, byRanges = options.ranges ?? !0, response = await get(byRanges ? `bytes=0-${firstBytes - 1}` : void 0), total = /\/(\d+)$/.exec(response.headers.get("content-range") ?? "");
   if (response.status === 206 && total) {
-    let first = await bodyOf(response, address);
+    let first = await bodyOf(response, address2);
     return new RangeSource(
-      address,
+      address2,
       Number(total[1]),
       first,
       (from, to) => get(`bytes=${from}-${to - 1}`)
     );
   }
-  return response.status === 416 ? new BufferSource(address, new Uint8Array(0)) : (response.ok || fail("io", `${address}: the server answers ${response.status}`), new BufferSource(address, await bodyInParts(response, address, options.onProgress)));
+  return response.status === 416 ? new BufferSource(address2, new Uint8Array(0)) : (response.ok || fail("io", `${address2}: the server answers ${response.status}`), new BufferSource(address2, await bodyInParts(response, address2, options.onProgress)));
 }
 
 // src/format/field.ts
@@ -1425,8 +1445,8 @@ async function readField(file, name = "field") {
   let bytes = file instanceof Uint8Array ? new Uint8Array(file.buffer, file.byteOffset, file.length) : new Uint8Array(file), field = await Field.open(await Container.open(new BufferSource(name, bytes)));
   return await field.loadAll(), await field.verifyRest(), field;
 }
-async function openField(address, options = {}) {
-  return Field.open(await Container.open(await openSource(address, options)));
+async function openField(address2, options = {}) {
+  return Field.open(await Container.open(await openSource(address2, options)));
 }
 
 // src/generated/layout.ts
@@ -5665,15 +5685,15 @@ function leafAreaAt(cover, place) {
   return sum;
 }
 var leafProjectionOf = (cover) => fromHalf(cover.leaves[0] & 65535);
-async function coverAt(address) {
+async function coverAt(address2) {
   let response;
   try {
-    response = await fetch(address);
+    response = await fetch(address2);
   } catch {
-    throw new SwardError("io", `${address}: no answer from the server`);
+    throw new SwardError("io", `${address2}: no answer from the server`);
   }
-  if (!response.ok) throw new SwardError("io", `${address}: the server answers ${response.status}`);
-  return parseCoverFile(await response.arrayBuffer(), address);
+  if (!response.ok) throw new SwardError("io", `${address2}: the server answers ${response.status}`);
+  return parseCoverFile(await response.arrayBuffer(), address2);
 }
 
 // src/render/block.ts
@@ -6170,10 +6190,10 @@ function sparseShare(view, share, distance) {
 }
 var PatchTree = class {
   /** `sowing`: of a field that is sown; its patches stand for those of the field. */
-  constructor(field, sowing) {
+  constructor(field, sowing2) {
     this.field = field;
-    this.sowing = sowing;
-    let patches = this.patches = sowing?.patches ?? field.patches, stored = field.patches.count;
+    this.sowing = sowing2;
+    let patches = this.patches = sowing2?.patches ?? field.patches, stored = field.patches.count;
     this.ribbons = Math.max(0, ...field.species.map((one) => ribbonsOf(one.organs))), this.widest = subtreeWidths(patches, stored), this.rankBelow = new Float32Array(stored).fill(1), this.queue = new Uint32Array(stored);
     let f = patches.floats;
     for (let p = stored - 1; p >= 0; --p) {
@@ -6235,7 +6255,7 @@ var PatchTree = class {
   }
   /** The groups of blades that a view may show. `most`: blades at most. */
   groupsOf(view, most, oneClass = -1) {
-    let { patches, sowing } = this, f = patches.floats, seen = [], wanted = [], blades = 0, add2 = (p, share, nearest, isStored) => {
+    let { patches, sowing: sowing2 } = this, f = patches.floats, seen = [], wanted = [], blades = 0, add2 = (p, share, nearest, isStored) => {
       let at = p * patchWords, own = patches.bladeCount(p), low = f[at + patchWord.rankLow], high = f[at + patchWord.rankHigh];
       if (own === 0 || share <= low) return;
       let thick = share >= high ? own : Math.ceil((share - low) / (high - low) * own) + 1, count = Math.min(thick + this.ribbons, own), begin = patches.firstBlade(p);
@@ -6258,7 +6278,7 @@ var PatchTree = class {
       add2(p, share, nearest, !0);
     }
     let widestOf = (p) => f[p * patchWords + patchWord.widthLow] + 63 * f[p * patchWords + patchWord.widthStep];
-    sowing?.walk(
+    sowing2?.walk(
       (whole) => !this.isOutside(view, whole, this.distance(view, whole * patchWords), widestOf(whole)),
       (p) => {
         let nearest = this.distance(view, p * patchWords), share = this.shareAt(view, nearest);
@@ -6354,12 +6374,12 @@ function groundArrayOf(gl, field) {
 // src/render/renderer.ts
 var captured = ["recordV0", "recordV1", "recordV2", "recordSurface", "recordFrame", "recordBend"], recordBytes = 16 * captured.length, usualMax = 4e5, Renderer = class {
   /** `cover`: what `sward export` wrote into field.cover; without it blades do not shade one another. */
-  constructor(canvas, field, cover = noCover, sowing, host) {
+  constructor(canvas, field, cover = noCover, sowing2, host) {
     this.canvas = canvas;
     this.field = field;
-    this.sowing = sowing;
+    this.sowing = sowing2;
     let options = { antialias: !1, alpha: !1, depth: !1, powerPreference: "high-performance" }, gl = host ?? canvas.getContext("webgl2", options);
-    gl || fail("unsupported", "this browser has no WebGL 2, or its graphics driver is blocked"), this.gl = gl, this.tree = new PatchTree(field, sowing), this.scene = sceneOf(field, sowing ? sownCover(cover, sowing.areaPerStored) : cover, sowing?.patches), this.restore();
+    gl || fail("unsupported", "this browser has no WebGL 2, or its graphics driver is blocked"), this.gl = gl, this.tree = new PatchTree(field, sowing2), this.scene = sceneOf(field, sowing2 ? sownCover(cover, sowing2.areaPerStored) : cover, sowing2?.patches), this.restore();
   }
   canvas;
   field;
@@ -6386,9 +6406,9 @@ var captured = ["recordV0", "recordV1", "recordV2", "recordSurface", "recordFram
   }
   /** Waits until all is sown that a camera wants, of a field with seeds. */
   async sowFor(input) {
-    let { canvas, field, scene, sowing } = this, view = viewOf(input.camera, field.origin, canvas.width, canvas.height, scene.content);
-    for (; sowing; ) {
-      if (this.choose(input, view), sowing.isSettled) return;
+    let { canvas, field, scene, sowing: sowing2 } = this, view = viewOf(input.camera, field.origin, canvas.width, canvas.height, scene.content);
+    for (; sowing2; ) {
+      if (this.choose(input, view), sowing2.isSettled) return;
       await new Promise((resolve) => setTimeout(resolve, 10));
     }
   }
@@ -6399,7 +6419,7 @@ var captured = ["recordV0", "recordV1", "recordV2", "recordSurface", "recordFram
   }
   /** Chooses the groups of blades of a view, and brings what has come onto the device. */
   choose(input, view) {
-    let { field, scene, sowing } = this, frame = {
+    let { field, scene, sowing: sowing2 } = this, frame = {
       view,
       camera: input.camera,
       light: input.light ?? this.usualLight,
@@ -6419,8 +6439,8 @@ var captured = ["recordV0", "recordV1", "recordV2", "recordSurface", "recordFram
       minWidth: minWidthOf(view),
       sparseFrom: 0,
       sparseLeast: frame.sparseLeast
-    }, find = () => (frame.sparseFrom = treeView.sparseFrom = sowing ? this.sparseFrom(view) : 0, treeView.lodThreshold = frame.lodThreshold = this.lodThreshold * (sowing?.thinning ?? 1), this.tree.groupsOf(treeView, 1 / 0));
-    sowing && sowing.update({ ...treeView, lodThreshold: this.lodThreshold, sparseFrom: this.sparseFrom(view) }), this.parts.uploadPages();
+    }, find = () => (frame.sparseFrom = treeView.sparseFrom = sowing2 ? this.sparseFrom(view) : 0, treeView.lodThreshold = frame.lodThreshold = this.lodThreshold * (sowing2?.thinning ?? 1), this.tree.groupsOf(treeView, 1 / 0));
+    sowing2 && sowing2.update({ ...treeView, lodThreshold: this.lodThreshold, sparseFrom: this.sparseFrom(view) }), this.parts.uploadPages();
     let most = input.maxBlades ?? usualMax, groups = find(), usual = frameSettings.lodThreshold;
     for (let i = 0; i < 12; ++i) {
       let ratio = Math.sqrt(groups.blades / most);
@@ -6450,11 +6470,11 @@ var captured = ["recordV0", "recordV1", "recordV2", "recordSurface", "recordFram
     return this.gl.isContextLost();
   }
 }, shadowDistance = 8, Parts = class {
-  constructor(gl, field, scene, sowing) {
+  constructor(gl, field, scene, sowing2) {
     this.gl = gl;
     this.field = field;
     this.scene = scene;
-    this.sowing = sowing;
+    this.sowing = sowing2;
     let programs = {
       move: new Program(gl, "move", moveVert, moveFrag),
       pose: new Program(gl, "pose", poseVert, nothingFrag, captured),
@@ -6465,12 +6485,12 @@ var captured = ["recordV0", "recordV1", "recordV2", "recordSurface", "recordFram
       sun: new Program(gl, "sun", sunVert, nothingFrag),
       bladeShadow: new Program(gl, "blade shadow", bladeShadowVert, bladeShadowFrag)
     };
-    this.move = programs.move.finish(), this.pose = programs.pose.finish(), this.blade = programs.blade.finish(), this.ground = programs.ground.finish(), this.sky = programs.sky.finish(), this.film = programs.film.finish(), this.sun = programs.sun.finish(), this.bladeShadow = programs.bladeShadow.finish(), this.uploaded = new Uint8Array(field.pageCount), this.sownRow = (sowing?.firstBlade ?? 0) / tableWidth, this.stateRows = sowing ? this.sownRow + sowing.pageCount : Math.max(Math.ceil(field.bladeCount / tableWidth), 1);
+    this.move = programs.move.finish(), this.pose = programs.pose.finish(), this.blade = programs.blade.finish(), this.ground = programs.ground.finish(), this.sky = programs.sky.finish(), this.film = programs.film.finish(), this.sun = programs.sun.finish(), this.bladeShadow = programs.bladeShadow.finish(), this.uploaded = new Uint8Array(field.pageCount), this.sownRow = (sowing2?.firstBlade ?? 0) / tableWidth, this.stateRows = sowing2 ? this.sownRow + sowing2.pageCount : Math.max(Math.ceil(field.bladeCount / tableWidth), 1);
     let most = gl.getParameter(gl.MAX_TEXTURE_SIZE);
     this.stateRows > most && fail("unsupported", `${field.name}: ${this.stateRows * tableWidth} blades, more than ${most * tableWidth} on this device`), this.blades = makeTexture(gl, gl.RGBA32UI, tableWidth, this.stateRows), this.states = [0, 1].map(() => makeTexture(gl, gl.R32UI, tableWidth, this.stateRows)), this.stateTargets = this.states.map((states) => {
       let target = makeTarget(gl, states);
       return gl.clearBufferuiv(gl.COLOR, 0, [unsettledTurn, 0, 0, 0]), target;
-    }), this.patches = patchTable(gl, sowing?.patches ?? field.patches), this.cover = wordTable(gl, scene.cover.corners), this.sunMap = makeTexture(gl, gl.DEPTH_COMPONENT24, sunMapSize, sunMapSize), this.sunTarget = makeTarget(gl, null, this.sunMap), this.shadowMap = makeTexture(gl, gl.RG32UI, bladeShadowTexels, bladeShadowTexels);
+    }), this.patches = patchTable(gl, sowing2?.patches ?? field.patches), this.cover = wordTable(gl, scene.cover.corners), this.sunMap = makeTexture(gl, gl.DEPTH_COMPONENT24, sunMapSize, sunMapSize), this.sunTarget = makeTarget(gl, null, this.sunMap), this.shadowMap = makeTexture(gl, gl.RG32UI, bladeShadowTexels, bladeShadowTexels);
     let shadowDepth = makeTexture(gl, gl.DEPTH_COMPONENT24, bladeShadowTexels, bladeShadowTexels);
     this.shadowTarget = makeTarget(gl, this.shadowMap, shadowDepth), this.frame = gl.createBuffer(), this.looks = gl.createBuffer(), gl.bindBuffer(gl.UNIFORM_BUFFER, this.looks), gl.bufferData(gl.UNIFORM_BUFFER, looksBlock(field).bytes, gl.STATIC_DRAW), this.groupBuffer = gl.createBuffer(), this.groupArray = gl.createVertexArray(), this.records = gl.createBuffer(), this.feedback = gl.createTransformFeedback(), this.ribbonArray = gl.createVertexArray(), this.indices = classes.map(({ segments, columns }) => ribbonIndices(gl, segments, columns)), this.nothing = gl.createVertexArray(), this.groundArray = groundArrayOf(gl, field);
     let white = imageTexture(gl), images = field.ground.images.map((image) => imageTexture(gl, image));
@@ -6548,20 +6568,20 @@ var captured = ["recordV0", "recordV1", "recordV2", "recordSurface", "recordFram
     }
   }
   /** The same for what is sown: a row of blades, unsettled, and a quarter of a row of patches each. */
-  uploadSown(sowing) {
+  uploadSown(sowing2) {
     let { gl } = this, unsettled = new Uint32Array(tableWidth).fill(unsettledTurn);
     gl.activeTexture(gl.TEXTURE0);
-    for (let { page, blades } of sowing.changed) {
+    for (let { page, blades } of sowing2.changed) {
       let row = this.sownRow + page;
       gl.bindTexture(gl.TEXTURE_2D, this.blades), gl.texSubImage2D(gl.TEXTURE_2D, 0, 0, row, tableWidth, 1, gl.RGBA_INTEGER, gl.UNSIGNED_INT, blades);
       for (let states of this.states)
         gl.bindTexture(gl.TEXTURE_2D, states), gl.texSubImage2D(gl.TEXTURE_2D, 0, 0, row, tableWidth, 1, gl.RED_INTEGER, gl.UNSIGNED_INT, unsettled);
-      let first = sowing.firstPatch + sownPagePatches * page, texels = patchTexelsOf(sowing.patches, first, first + sownPagePatches);
+      let first = sowing2.firstPatch + sownPagePatches * page, texels = patchTexelsOf(sowing2.patches, first, first + sownPagePatches);
       gl.bindTexture(gl.TEXTURE_2D, this.patches);
       let [x, y] = [patchTexels * (first % patchesOfRow), Math.floor(first / patchesOfRow)];
       gl.texSubImage2D(gl.TEXTURE_2D, 0, x, y, patchTexels * sownPagePatches, 1, gl.RGBA_INTEGER, gl.UNSIGNED_INT, texels);
     }
-    sowing.changed = [];
+    sowing2.changed = [];
   }
   /** Moves and poses the blades, and draws the maps of shadows. */
   prepare(input, groups, casters, sunPlanes, elapsed) {
@@ -11288,19 +11308,20 @@ var usualMax2 = 4e6, WebGpuRenderer = class _WebGpuRenderer {
 };
 
 // src/render/choice.ts
-async function makeRenderer(canvas, field, cover, kind, sowing) {
-  if (sowing && kind === "webgpu" && fail("usage", `${field.name}: a field that is sown is drawn by WebGL; sow: false shows its stored blades by WebGPU`), kind !== "webgl" && !sowing) {
+var rendererKinds = '"webgpu" or "webgl"', isRendererKind = (kind) => kind === "webgpu" || kind === "webgl";
+async function makeRenderer(canvas, field, cover, kind, sowing2) {
+  if (expectOption("makeRenderer: kind", kind, rendererKinds, kind === void 0 || isRendererKind(kind)), sowing2 && kind === "webgpu" && fail("usage", `${field.name}: a field that is sown is drawn by WebGL; sow: false shows its stored blades by WebGPU`), kind !== "webgl" && !sowing2) {
     let own = await WebGpuRenderer.make(canvas, field, cover, { acceptsSoftware: kind === "webgpu" });
     if (own) return own;
     kind === "webgpu" && fail("unsupported", "this browser has no WebGPU for this field, or its graphics driver is blocked");
   }
-  return new Renderer(canvas, field, cover, sowing);
+  return new Renderer(canvas, field, cover, sowing2);
 }
 
 // src/sow/module.ts
 var kinds = { 1: "usage", 2: "io", 3: "input", 4: "runtime", 5: "unsupported" }, unitWords = 8, eyeNumbers = 9;
 function numbersOf(meadow, species, origin) {
-  let flag = (value) => value ? 1 : 0, m = meadow, list = [
+  let flag2 = (value) => value ? 1 : 0, m = meadow, list = [
     ...m.seed,
     m.density,
     m.scale,
@@ -11308,7 +11329,7 @@ function numbersOf(meadow, species, origin) {
     m.stored,
     m.unitBits,
     m.levels,
-    flag(m.isMixed),
+    flag2(m.isMixed),
     m.heightWaves,
     m.drifts,
     m.sparseHeight,
@@ -11316,7 +11337,7 @@ function numbersOf(meadow, species, origin) {
     m.creaseReach,
     m.creaseBlend,
     m.vertical,
-    flag(m.isRadial),
+    flag2(m.isRadial),
     ...m.up,
     m.highest,
     m.widest,
@@ -11558,7 +11579,13 @@ if (scope.WorkerGlobalScope !== void 0 && scope.name === sowerName) {
 }
 
 // src/sow/sowing.ts
-var usualBlades = 4e6, pagesOfFrame = 192, ignoredStep = 0.2, ignoredPart = 0.01, maxThinning = 8, thinningStep = 1.1, Sowing = class _Sowing {
+var sowRules = {
+  blades: ["a number of at least 1", (value) => typeof value == "number" && value >= 1 && value < 1 / 0],
+  worker: flag,
+  wasm: ["the bytes of sow.wasm", (value) => value instanceof ArrayBuffer || ArrayBuffer.isView(value)],
+  onChange: callback,
+  onError: callback
+}, usualBlades = 4e6, pagesOfFrame = 192, ignoredStep = 0.2, ignoredPart = 0.01, maxThinning = 8, thinningStep = 1.1, Sowing = class _Sowing {
   constructor(field, options, module) {
     this.field = field;
     this.options = options;
@@ -11602,7 +11629,7 @@ var usualBlades = 4e6, pagesOfFrame = 192, ignoredStep = 0.2, ignoredPart = 0.01
   isStopped = !1;
   /** Begins to sow a field, which must have seeds. */
   static async open(field, options = {}) {
-    field.isSown || fail("usage", `${field.name}: has no seeds of which some blades are stored`);
+    checkOptions("sow", options, sowRules), field.isSown || fail("usage", `${field.name}: has no seeds of which some blades are stored`);
     let bytes = options.wasm ?? await wasmBeside();
     return new _Sowing(field, options, await compileSower(bytes, field.name));
   }
@@ -11739,17 +11766,23 @@ function hasMoved(a, b) {
   return step >= ignoredStep || changed(a.pixelsPerUnit, b.pixelsPerUnit) || changed(a.lodThreshold, b.lodThreshold) || a.lodWidth !== b.lodWidth || a.drawDistance !== b.drawDistance || changed(a.sparseFrom, b.sparseFrom);
 }
 async function wasmBeside() {
-  let address = new URL("./sow.wasm", import.meta.url), response;
+  let address2 = new URL("./sow.wasm", import.meta.url), response;
   try {
-    response = await fetch(address);
+    response = await fetch(address2);
   } catch {
-    fail("io", `${address}: no answer from the server`);
+    fail("io", `${address2}: no answer from the server`);
   }
-  return response.ok || fail("io", `${address}: the server answers ${response.status}`), response.arrayBuffer();
+  return response.ok || fail("io", `${address2}: the server answers ${response.status}`), response.arrayBuffer();
 }
 
+// src/page/options.ts
+var sowing = [
+  "false or an object",
+  (value) => (typeof value == "object" && value !== null && checkOptions("sow", value, sowRules), value === !1 || typeof value == "object" && value !== null)
+];
+
 // src/page/grass.ts
-var firstPages = 384, pagesAtOnce = 256, Grass = class _Grass {
+var rules = { field: address, cover: address, sow: sowing, onChange: callback, onError: callback }, firstPages = 384, pagesAtOnce = 256, Grass = class _Grass {
   constructor(field, renderer) {
     this.field = field;
     this.renderer = renderer;
@@ -11758,11 +11791,12 @@ var firstPages = 384, pagesAtOnce = 256, Grass = class _Grass {
   renderer;
   /** Opens a field. `gl`: the host's context, whose state the host forgets afterwards as after draw(). */
   static async open(gl, options) {
-    let { onChange, onError } = options, field = await openField(options.field), [cover, sowing] = await Promise.all([
+    checkOptions("Grass.open", options, rules, "field"), expectOption("Grass.open: gl", gl, "a context of WebGL 2", typeof gl?.createTransformFeedback == "function");
+    let { onChange, onError } = options, field = await openField(options.field), [cover, sowing2] = await Promise.all([
       options.cover ? coverAt(options.cover) : noCover,
       field.isSown && options.sow !== !1 ? Sowing.open(field, { onChange, onError, ...options.sow }) : void 0,
       field.loadPages(0, Math.min(firstPages, field.pageCount))
-    ]), before = enterHost(gl), grass = new _Grass(field, new Renderer(gl.canvas, field, cover, sowing, gl));
+    ]), before = enterHost(gl), grass = new _Grass(field, new Renderer(gl.canvas, field, cover, sowing2, gl));
     return leaveHost(gl, before), grass.loadRest(onChange).catch((error) => {
       if (!(error instanceof SwardError)) throw error;
       onError?.(error);
@@ -12053,7 +12087,7 @@ var Panel = class {
       }), button;
     }), home = make("button", { type: "button", title: "Show all of the field" }, "Home");
     home.addEventListener("click", () => view.setCamera(view.wholeView()));
-    let slider = (text, low, high, step, value, shown2, set) => {
+    let slider = (text, low, high, step, value, shown3, set) => {
       let input = make("input", {
         type: "range",
         min: String(low),
@@ -12061,10 +12095,10 @@ var Panel = class {
         step: String(step),
         value: String(value),
         "aria-label": text,
-        "aria-valuetext": shown2(value)
-      }), output = make("output", {}, shown2(value));
+        "aria-valuetext": shown3(value)
+      }), output = make("output", {}, shown3(value));
       return input.addEventListener("input", () => {
-        set(input.valueAsNumber), output.textContent = shown2(input.valueAsNumber), input.setAttribute("aria-valuetext", output.textContent), view.change();
+        set(input.valueAsNumber), output.textContent = shown3(input.valueAsNumber), input.setAttribute("aria-valuetext", output.textContent), view.change();
       }), make("label", {}, make("span", {}, text), input, output);
     }, clock = (hour) => `${Math.floor(hour)}:${String(Math.round(hour % 1 * 60)).padStart(2, "0")}`, tools = make(
       "div",
@@ -12266,7 +12300,7 @@ async function showField(element, options) {
     let [cover] = await Promise.all([
       options.cover ? coverAt(options.cover) : noCover,
       field.loadPages(0, Math.min(firstPages2, field.pageCount))
-    ]), sowing = await sowingOf(field, options, panel, () => view.change()), renderer = await makeRenderer(canvas, field, cover, options.renderer, sowing), view = new FieldView(element, field, renderer, panel, options.camera);
+    ]), sowing2 = await sowingOf(field, options, panel, () => view.change()), renderer = await makeRenderer(canvas, field, cover, options.renderer, sowing2), view = new FieldView(element, field, renderer, panel, options.camera);
     return (options.panel ?? !0) && panel.control(view), view;
   } catch (error) {
     throw panel.fail(error), error;

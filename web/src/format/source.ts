@@ -1,4 +1,5 @@
 import { fail, SwardError } from "./error";
+import { address as addressRule, expectOption } from "./options";
 
 /** Bytes of a file, whole or by parts. */
 export interface Source {
@@ -121,6 +122,8 @@ function isAbort(error: unknown): boolean {
 
 /** Opens a file on a server: by ranges if it has them, else whole. */
 export async function openSource(address: string, options: FetchOptions = {}): Promise<Source> {
+  expectOption("openField", address, addressRule[0], addressRule[1](address as never));
+  address = String(address);
   const doFetch = options.fetch ?? fetch;
   const get = async (range?: string): Promise<Response> => {
     try {

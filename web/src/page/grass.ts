@@ -1,9 +1,11 @@
 import { SwardError } from "../format/error";
 import { Field, openField } from "../format/field";
+import { address, callback, checkOptions, expectOption, Rule } from "../format/options";
 import { coverAt, noCover } from "../render/cover";
 import { enterHost, leaveHost } from "../render/host";
 import type { HostInput } from "../render/host";
 import { DrawStats, Renderer } from "../render/renderer";
+import { sowing as sowingRule } from "./options";
 import { Sowing } from "../sow/sowing";
 import type { SowOptions } from "../sow/sowing";
 
@@ -21,6 +23,8 @@ export interface GrassOptions {
   onError?(error: SwardError): void;
 }
 
+const rules: Record<string, Rule> = { field: address, cover: address, sow: sowingRule, onChange: callback, onError: callback };
+
 /** Pages of blades that come before open() returns: 6 MB. */
 const firstPages = 384;
 const pagesAtOnce = 256;
@@ -34,6 +38,8 @@ export class Grass {
 
   /** Opens a field. `gl`: the host's context, whose state the host forgets afterwards as after draw(). */
   static async open(gl: WebGL2RenderingContext, options: GrassOptions): Promise<Grass> {
+    checkOptions("Grass.open", options, rules, "field");
+    expectOption("Grass.open: gl", gl, "a context of WebGL 2", typeof gl?.createTransformFeedback === "function");
     const { onChange, onError } = options;
     const field = await openField(options.field);
     const [cover, sowing] = await Promise.all([

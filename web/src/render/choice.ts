@@ -1,4 +1,5 @@
 import { fail } from "../format/error";
+import { expectOption } from "../format/options";
 import { Field } from "../format/field";
 import type { Sowing } from "../sow/sowing";
 import { Cover } from "./cover";
@@ -7,6 +8,9 @@ import { WebGpuRenderer } from "./webgpu/renderer";
 
 /** What draws a field. */
 export type RendererKind = "webgpu" | "webgl";
+
+export const rendererKinds = '"webgpu" or "webgl"';
+export const isRendererKind = (kind: unknown): boolean => kind === "webgpu" || kind === "webgl";
 
 export type AnyRenderer = (Renderer | WebGpuRenderer) & { readonly canvas: HTMLCanvasElement };
 
@@ -21,6 +25,7 @@ export async function makeRenderer(
   kind?: RendererKind,
   sowing?: Sowing,
 ): Promise<AnyRenderer> {
+  expectOption("makeRenderer: kind", kind, rendererKinds, kind === undefined || isRendererKind(kind));
   if (sowing && kind === "webgpu")
     fail("usage", `${field.name}: a field that is sown is drawn by WebGL; sow: false shows its stored blades by WebGPU`);
   if (kind !== "webgl" && !sowing) {

@@ -1,5 +1,6 @@
 import { fail, SwardError } from "../format/error";
 import type { Field } from "../format/field";
+import { callback, checkOptions, flag, Rule } from "../format/options";
 import { patchWord, Patches, patchWords } from "../format/patches";
 import type { Vec3 } from "../format/texts";
 import { compileSower, numbersOf, SowModule } from "./module";
@@ -23,6 +24,14 @@ export interface SowOptions {
   /** Called once, if sowing ends; what is there is still drawn. */
   onError?(error: SwardError): void;
 }
+
+export const sowRules: Record<string, Rule> = {
+  blades: ["a number of at least 1", (value: unknown) => typeof value === "number" && value >= 1 && value < Infinity],
+  worker: flag,
+  wasm: ["the bytes of sow.wasm", (value: unknown) => value instanceof ArrayBuffer || ArrayBuffer.isView(value)],
+  onChange: callback,
+  onError: callback,
+};
 
 const usualBlades = 4_000_000;
 /** Pages that come in a frame: 6 MB. */
@@ -108,6 +117,7 @@ export class Sowing {
 
   /** Begins to sow a field, which must have seeds. */
   static async open(field: Field, options: SowOptions = {}): Promise<Sowing> {
+    checkOptions("sow", options, sowRules);
     if (!field.isSown) fail("usage", `${field.name}: has no seeds of which some blades are stored`);
     const bytes = options.wasm ?? (await wasmBeside());
     return new Sowing(field, options, await compileSower(bytes, field.name));
