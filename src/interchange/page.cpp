@@ -6,7 +6,11 @@
 #include "field/measure/leaf_area.h"
 #include "field/organs.h"
 
-#include <bit>
+#include <xxhash.h>
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
 #include <span>
 #include <string>
 #include <string_view>
@@ -70,17 +74,40 @@ std::string filledIn(std::string_view page, std::string_view title, bool hasPost
            replaced(std::string(page.substr(at + posterPlace.size())), titlePlace, name);
 }
 
-/// The cover of a field as the page's script reads it: shared::Cover with field::areaFactor() as a
-/// float and four zeros in place of its table, and the corners. A page draws before all blades are
-/// there, so it cannot measure them itself.
+/// What precedes shared::Cover and its corners in field.cover; little-endian.
+struct CoverHead {
+    std::array<char, 8> magic = {'S', 'W', 'C', 'O', 'V', 'E', 'R', '1'};
+    std::uint64_t hash = 0;       ///< XXH3-64 of all bytes that follow it
+    std::uint64_t bladesHash = 0; ///< XXH3-64 of the packed blades: that of the chunk BLADES
+    float areaFactor = 1.0F;      ///< field::areaFactor()
+    std::uint32_t reserved = 0;
+};
+static_assert(sizeof(CoverHead) == 32);
+
+std::string_view bytesOf(const auto& values)
+{
+    return {reinterpret_cast<const char*>(values.data()), values.size() * sizeof(*values.data())};
+}
+
+/// The cover of a field as the page's script reads it. A page draws before all blades are there,
+/// so it cannot measure them itself. Hashes tell a damaged cover, and one of another field.
 std::string coverBytes(const field::FieldView& field)
 {
     field::LeafAreaGrid grid = field::leafAreaOf(field);
     field::describeUndergrowth(field, grid.shape);
-    grid.shape.grass.address = std::bit_cast<std::uint32_t>(field::areaFactor(field));
-    std::string bytes(reinterpret_cast<const char*>(&grid.shape), sizeof grid.shape);
-    bytes.append(reinterpret_cast<const char*>(grid.values.data()),
-                 grid.values.size() * sizeof(std::uint32_t));
+    grid.shape.grass.address = 0;
+    CoverHead head;
+    head.areaFactor = field::areaFactor(field);
+    const std::string_view blades = bytesOf(field.blades);
+    head.bladesHash = XXH3_64bits(blades.data(), blades.size());
+    std::string bytes;
+    const auto append = [&](const auto& value) { bytes += bytesOf(std::span(&value, 1)); };
+    append(head);
+    append(grid.shape);
+    bytes += bytesOf(grid.values);
+    constexpr std::size_t hashed = offsetof(CoverHead, bladesHash);
+    head.hash = XXH3_64bits(bytes.data() + hashed, bytes.size() - hashed);
+    bytes.replace(0, hashed, bytesOf(std::span(&head, 1)).substr(0, hashed));
     return bytes;
 }
 

@@ -46,7 +46,7 @@ MAY_USE = {
     "terrain": "core fmt glm nlohmann xxhash openmesh embree tinygltf tbb stb png openexr "
                "draco meshoptimizer gdal intrinsics",
     "field": "core shared fmt glm nlohmann xxhash zstd stb",
-    "interchange": "core shared field fmt glm meshoptimizer nlohmann stb",
+    "interchange": "core shared field fmt glm meshoptimizer nlohmann stb xxhash",
     "lidar": "core shared field fmt glm",
     "trace": "core shared field lidar fmt glm embree tbb",
     "bake": "core shared terrain field fmt glm nlohmann tbb meshoptimizer",

@@ -1354,6 +1354,10 @@ var pageBlades = 1024, pagesPerRequest = 256, Field = class _Field {
     let stored = this.seeds?.meadow.stored ?? 1;
     return this.bladeCount > 0 && stored > 0 && stored < 1;
   }
+  /** Hash of the packed blades, which tells fields apart. */
+  get bladesHash() {
+    return this.bladeChunk.hash;
+  }
   /** Bytes received so far. */
   get received() {
     return this.container.source.received;
@@ -5625,12 +5629,18 @@ function fromHalf(bits) {
 }
 
 // src/render/cover.ts
-var shapeBytes = 112;
+var magic2 = "SWCOVER1", headBytes = 32, shapeBytes = headBytes + 112;
 function parseCoverFile(bytes, name) {
-  (bytes.byteLength < shapeBytes || bytes.byteLength % 4 !== 0) && fail("input", `${name}: ${bytes.byteLength} bytes, not a cover of at least ${shapeBytes}`);
-  let view = new DataView(bytes), float = (at) => view.getFloat32(at, !0), word = (at) => view.getUint32(at, !0), vector = (at) => [float(at), float(at + 4), float(at + 8)], counts = [word(24), word(28), word(32)], corners = new Uint32Array(bytes, shapeBytes);
+  bytes instanceof ArrayBuffer || fail("usage", `${name}: the bytes of a cover are not an ArrayBuffer`);
+  let all = new Uint8Array(bytes);
+  String.fromCharCode(...all.subarray(0, magic2.length)) !== magic2 && fail("input", `${name}: not a cover of this version of Sward; "sward export" writes it beside the field`), (bytes.byteLength < shapeBytes || bytes.byteLength % 4 !== 0) && fail("input", `${name}: ${bytes.byteLength} bytes, not a cover of at least ${shapeBytes}: truncated`);
+  let view = new DataView(bytes);
+  xxh3(all.subarray(16)) !== view.getBigUint64(8, !0) && fail("input", `${name}: damaged (hash differs)`);
+  let float = (at) => view.getFloat32(headBytes + at, !0), word = (at) => view.getUint32(headBytes + at, !0), vector = (at) => [float(at), float(at + 4), float(at + 8)], counts = [word(24), word(28), word(32)], corners = new Uint32Array(bytes, shapeBytes);
   return counts[0] * counts[1] * counts[2] !== corners.length && fail("input", `${name}: ${corners.length} corners instead of ${counts.join("·")}`), {
-    areaFactor: float(0),
+    name,
+    bladesHash: view.getBigUint64(16, !0),
+    areaFactor: view.getFloat32(24, !0),
     low: vector(8),
     cellsPerMetre: float(20),
     counts,
@@ -5686,14 +5696,11 @@ function leafAreaAt(cover, place) {
 }
 var leafProjectionOf = (cover) => fromHalf(cover.leaves[0] & 65535);
 async function coverAt(address2) {
-  let response;
-  try {
-    response = await fetch(address2);
-  } catch {
-    throw new SwardError("io", `${address2}: no answer from the server`);
-  }
-  if (!response.ok) throw new SwardError("io", `${address2}: the server answers ${response.status}`);
-  return parseCoverFile(await response.arrayBuffer(), address2);
+  let source = await openSource(address2, { ranges: !1 });
+  return parseCoverFile((await source.read(0, source.size)).slice().buffer, address2);
+}
+function checkCover(field, cover) {
+  cover.bladesHash !== void 0 && cover.bladesHash !== field.bladesHash && fail("input", `${cover.name}: the cover of another field than ${field.name}; "sward export" writes both`);
 }
 
 // src/render/block.ts
@@ -6330,6 +6337,7 @@ function boxOf(field) {
   return { content, ground };
 }
 function sceneOf(field, cover, patches = field.patches) {
+  checkCover(field, cover);
   let { content, ground } = boxOf(field), gravity = field.defaults.gravity, up = unit(scaled(gravity.direction, -1));
   return {
     field,
@@ -12327,6 +12335,7 @@ export {
   SwardError,
   WebGpuRenderer,
   bladeId,
+  checkCover,
   compileSower,
   fittingCamera,
   groundMesh,

@@ -15,7 +15,7 @@ export type { AnyRenderer, RendererKind } from "./render/choice";
 export { openDevice } from "./render/webgpu/device";
 export type { DrawInput, DrawStats } from "./render/renderer";
 export type { HostInput } from "./render/host";
-export { noCover, parseCoverFile } from "./render/cover";
+export { checkCover, noCover, parseCoverFile } from "./render/cover";
 export type { Cover } from "./render/cover";
 export { lightAt, usualLight, usualSun } from "./render/light";
 export type { Light } from "./render/light";

@@ -1,13 +1,14 @@
 // Reads fields by web/dist/sward.js for web_test.py.
 //   node read_field.mjs rows FILE|ADDRESS      f64 rows on stdout: the columns of the CSV export, without ribbons
 //   node read_field.mjs errors FILE|ADDRESS …  JSON: for each {"kind", "message"} of the error, or {} if there is none
+//   node read_field.mjs covers FIELD COVER …   the same for covers of a field
 //   node read_field.mjs pages ADDRESS FROM TO  JSON: bytes received before and after these pages, and which are here
 //   node read_field.mjs hash                   one number a line: XXH3 of the bytes i·i mod 251, for lengths on stdin
 import { readFileSync, writeSync } from "node:fs";
 import { fileURLToPath } from "node:url";
 
 const script = fileURLToPath(new URL("../../../web/dist/sward.js", import.meta.url));
-const { openField, readField, SwardError, xxh3 } = await import(script);
+const { checkCover, openField, parseCoverFile, readField, SwardError, xxh3 } = await import(script);
 
 const [what, place, from, to] = process.argv.slice(2);
 
@@ -46,10 +47,13 @@ function rowsOf(field) {
 }
 
 if (what === "rows") write(rowsOf(await opened(place)));
-else if (what === "errors") {
+else if (what === "errors" || what === "covers") {
   const found = [];
-  for (const one of process.argv.slice(3))
-    await opened(one).then(
+  const isCover = what === "covers";
+  const field = isCover ? await opened(place) : undefined;
+  const covers = async (file) => checkCover(field, parseCoverFile(Uint8Array.from(readFileSync(file)).buffer, file));
+  for (const one of process.argv.slice(isCover ? 4 : 3))
+    await (isCover ? covers(one) : opened(one)).then(
       () => found.push({}),
       (error) => {
         if (!(error instanceof SwardError)) throw error;

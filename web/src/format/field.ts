@@ -90,6 +90,11 @@ export class Field {
     return this.bladeCount > 0 && stored > 0 && stored < 1;
   }
 
+  /** Hash of the packed blades, which tells fields apart. */
+  get bladesHash(): bigint {
+    return this.bladeChunk.hash;
+  }
+
   /** Bytes received so far. */
   get received(): number {
     return this.container.source.received;

@@ -1,10 +1,17 @@
 import { heightSteps, toneBits } from "../generated/layout";
-import { fail, SwardError } from "../format/error";
+import { fail } from "../format/error";
+import type { Field } from "../format/field";
+import { openSource } from "../format/source";
 import { Vec3 } from "../format/texts";
+import { xxh3 } from "../format/xxh3";
 import { fromHalf, toHalf } from "./half";
 
 /** shared::Cover as `sward export` writes it into field.cover, and its corners. */
 export interface Cover {
+  /** For messages: the file's name or address; none of noCover. */
+  name?: string;
+  /** Hash of the field's chunk BLADES; none of noCover. */
+  bladesHash?: bigint;
   /** field::areaFactor(): of the blades relative to height times width of their patches. */
   areaFactor: number;
   low: Vec3;
@@ -20,23 +27,32 @@ export interface Cover {
   corners: Uint32Array;
 }
 
-/** sizeof(shared::Cover). */
-const shapeBytes = 112;
+/** CoverHead of src/interchange/page.cpp, then shared::Cover. */
+const magic = "SWCOVER1";
+const headBytes = 32;
+const shapeBytes = headBytes + 112;
 
-/** Reads field.cover. */
+/** Reads field.cover, and compares it with its hash. */
 export function parseCoverFile(bytes: ArrayBuffer, name: string): Cover {
+  if (!(bytes instanceof ArrayBuffer)) fail("usage", `${name}: the bytes of a cover are not an ArrayBuffer`);
+  const all = new Uint8Array(bytes);
+  if (String.fromCharCode(...all.subarray(0, magic.length)) !== magic)
+    fail("input", `${name}: not a cover of this version of Sward; "sward export" writes it beside the field`);
   if (bytes.byteLength < shapeBytes || bytes.byteLength % 4 !== 0)
-    fail("input", `${name}: ${bytes.byteLength} bytes, not a cover of at least ${shapeBytes}`);
+    fail("input", `${name}: ${bytes.byteLength} bytes, not a cover of at least ${shapeBytes}: truncated`);
   const view = new DataView(bytes);
-  const float = (at: number) => view.getFloat32(at, true);
-  const word = (at: number) => view.getUint32(at, true);
+  if (xxh3(all.subarray(16)) !== view.getBigUint64(8, true)) fail("input", `${name}: damaged (hash differs)`);
+  const float = (at: number) => view.getFloat32(headBytes + at, true);
+  const word = (at: number) => view.getUint32(headBytes + at, true);
   const vector = (at: number): Vec3 => [float(at), float(at + 4), float(at + 8)];
   const counts: Vec3 = [word(24), word(28), word(32)];
   const corners = new Uint32Array(bytes, shapeBytes);
   if (counts[0] * counts[1] * counts[2] !== corners.length)
     fail("input", `${name}: ${corners.length} corners instead of ${counts.join("·")}`);
   return {
-    areaFactor: float(0),
+    name,
+    bladesHash: view.getBigUint64(16, true),
+    areaFactor: view.getFloat32(24, true),
     low: vector(8),
     cellsPerMetre: float(20),
     counts,
@@ -108,12 +124,12 @@ export const leafProjectionOf = (cover: Cover): number => fromHalf(cover.leaves[
 
 /** Fetches field.cover. */
 export async function coverAt(address: string): Promise<Cover> {
-  let response: Response;
-  try {
-    response = await fetch(address);
-  } catch {
-    throw new SwardError("io", `${address}: no answer from the server`);
-  }
-  if (!response.ok) throw new SwardError("io", `${address}: the server answers ${response.status}`);
-  return parseCoverFile(await response.arrayBuffer(), address);
+  const source = await openSource(address, { ranges: false });
+  return parseCoverFile((await source.read(0, source.size)).slice().buffer as ArrayBuffer, address);
+}
+
+/** Fails if a cover is that of another field. */
+export function checkCover(field: Field, cover: Cover): void {
+  if (cover.bladesHash !== undefined && cover.bladesHash !== field.bladesHash)
+    fail("input", `${cover.name}: the cover of another field than ${field.name}; "sward export" writes both`);
 }

@@ -1,5 +1,5 @@
 import { Field } from "../format/field";
-import { Cover } from "./cover";
+import { checkCover, Cover } from "./cover";
 import { chosenExposure } from "./exposure";
 import { floorOf, noFloor } from "./floor";
 import { Scene } from "./frame";
@@ -26,6 +26,7 @@ function boxOf(field: Field): { content: Box; ground: Box } {
 
 /** What all frames of a field share. `patches`: of the whole meadow, if the field is sown. */
 export function sceneOf(field: Field, cover: Cover, patches = field.patches): Scene {
+  checkCover(field, cover);
   const { content, ground } = boxOf(field);
   const gravity = field.defaults.gravity;
   const up = unit(scaled(gravity.direction, -1));
