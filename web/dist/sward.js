@@ -102,8 +102,8 @@ var patchWord = {
 // src/format/settings.ts
 var longestShown = 80;
 function shown(value) {
-  let text = JSON.stringify(value) ?? "nothing";
-  return text.length <= longestShown ? text : `${text.slice(0, longestShown)}…`;
+  let text2 = JSON.stringify(value) ?? "nothing";
+  return text2.length <= longestShown ? text2 : `${text2.slice(0, longestShown)}…`;
 }
 var SettingsReader = class _SettingsReader {
   constructor(value, place) {
@@ -162,9 +162,9 @@ var SettingsReader = class _SettingsReader {
     return typeof value != "number" && fail("input", `${this.placeOf(key)}: expected a number, found ${shown(value)}`), value >= low && value <= high || fail("input", `${this.placeOf(key)}: ${value} is outside [${low}, ${high}]`), value;
   }
 };
-function parseJson(text, place) {
+function parseJson(text2, place) {
   try {
-    return JSON.parse(text);
+    return JSON.parse(text2);
   } catch {
     fail("input", `${place}: not valid JSON`);
   }
@@ -231,8 +231,8 @@ function readOrgan(value, place) {
 function ribbonsOf(organs) {
   return organs.reduce((sum, organ) => sum + organ.count, 0);
 }
-function parseSpecies(text, place) {
-  let list = parseJson(text, place);
+function parseSpecies(text2, place) {
+  let list = parseJson(text2, place);
   (!Array.isArray(list) || list.length === 0 || list.length > maxSpecies) && fail("input", `${place}: expected an array of 1 to ${maxSpecies} species`);
   let species = list.map((entry, i) => {
     let at = `${place}[${i}]`, reader = new SettingsReader(entry, at), name = reader.text("name", ""), look = readLook(reader, plainLook), organs = reader.value("organs") === void 0 ? [] : reader.array("organs").map((one, k) => readOrgan(one, `${at}.organs[${k}]`));
@@ -243,8 +243,8 @@ function parseSpecies(text, place) {
 function requireUnit(v, place) {
   Math.abs(Math.hypot(...v) - 1) > 1e-3 && fail("input", `${place}: (${v.join(", ")}) is not a unit vector`);
 }
-function parseDefaults(text, place) {
-  let reader = new SettingsReader(parseJson(text, place), place), wind = reader.child("wind"), gravity = reader.child("gravity"), defaults = {
+function parseDefaults(text2, place) {
+  let reader = new SettingsReader(parseJson(text2, place), place), wind = reader.child("wind"), gravity = reader.child("gravity"), defaults = {
     wind: {
       direction: wind.vector("direction", [0.8, 0, 0.6], -1, 1),
       strength: wind.number("strength", 3, 0, 1e3),
@@ -263,20 +263,20 @@ function parseDefaults(text, place) {
     drawDistance: reader.number("draw_distance", 1e9, 0, 1e30),
     copyright: reader.text("copyright", ""),
     cameras: reader.array("cameras").map((entry, i) => {
-      let one = new SettingsReader(entry, `${place}.cameras[${i}]`), camera = {
+      let one = new SettingsReader(entry, `${place}.cameras[${i}]`), camera2 = {
         name: one.text("name", "camera"),
         eye: one.vector("eye", [0, 0, 0], -farthest, farthest),
         target: one.vector("target", [0, 0, 0], -farthest, farthest),
         up: one.vector("up", [0, 1, 0], -1, 1),
         fovYDeg: one.number("fov_y_deg", 45, 0.1, 170)
       };
-      return one.finish(), camera;
+      return one.finish(), camera2;
     })
   };
   return wind.finish(), gravity.finish(), reader.finish(), requireUnit(defaults.wind.direction, wind.placeOf("direction")), requireUnit(defaults.gravity.direction, gravity.placeOf("direction")), defaults;
 }
-function parseCover(text, place) {
-  return text === void 0 || text === "" ? 1 : new SettingsReader(parseJson(text, place), place).number("thinned", 1, 1, 1e9);
+function parseCover(text2, place) {
+  return text2 === void 0 || text2 === "" ? 1 : new SettingsReader(parseJson(text2, place), place).number("thinned", 1, 1, 1e9);
 }
 
 // src/format/blades.ts
@@ -1082,13 +1082,13 @@ async function readGround(container) {
 
 // src/format/seeds.ts
 var facings = ["outward", "shared", "free"], longest = 1e6, farthestOrigin = 1e12, maxSpecies2 = 8;
-function parseSeed(text, place) {
-  /^[0-9a-f]{1,16}$/i.test(text) || fail("input", `${place}: "${text}" is not a number of up to 16 hexadecimal digits`);
-  let digits = text.padStart(16, "0");
+function parseSeed(text2, place) {
+  /^[0-9a-f]{1,16}$/i.test(text2) || fail("input", `${place}: "${text2}" is not a number of up to 16 hexadecimal digits`);
+  let digits = text2.padStart(16, "0");
   return [parseInt(digits.slice(0, 8), 16), parseInt(digits.slice(8), 16)];
 }
-function parseSeedMeadow(text, place) {
-  let reader = new SettingsReader(parseJson(text, place), place), flag2 = (key) => {
+function parseSeedMeadow(text2, place) {
+  let reader = new SettingsReader(parseJson(text2, place), place), flag2 = (key) => {
     let value = reader.value(key) ?? !1;
     return typeof value != "boolean" && fail("input", `${place}: expected true or false, found ${JSON.stringify(value)}`), value;
   }, meadow = {
@@ -1146,9 +1146,9 @@ var entryBytes2 = 48, Seeds = class _Seeds {
   view;
   /** The seeds of a field; undefined without any. */
   static async open(container, speciesCount) {
-    let text = await container.text("SEEDS");
-    if (text === void 0) return;
-    let place = container.source.name, meadow = parseSeedMeadow(text, `${place}: seeds`);
+    let text2 = await container.text("SEEDS");
+    if (text2 === void 0) return;
+    let place = container.source.name, meadow = parseSeedMeadow(text2, `${place}: seeds`);
     meadow.species.length !== speciesCount && fail("input", `${place}: the seeds have ${meadow.species.length} species, of ${speciesCount} that there are`);
     let data = container.need("SEEDDATA"), entries = await container.bytes(container.need("SEEDCELL")), seeds = new _Seeds(container, data.offset, meadow, entries);
     return seeds.verify(data.storedBytes, place), seeds;
@@ -1180,11 +1180,14 @@ var entryBytes2 = 48, Seeds = class _Seeds {
 
 // src/format/options.ts
 function shown2(value) {
-  let text = typeof value == "function" ? "a function" : JSON.stringify(value) ?? String(value);
-  return text.length > 80 ? `${text.slice(0, 79)}…` : text;
+  let text2 = typeof value == "function" ? "a function" : JSON.stringify(value) ?? String(value);
+  return text2.length > 80 ? `${text2.slice(0, 79)}…` : text2;
 }
 function expectOption(place, value, allowed, isAllowed) {
   isAllowed || fail("usage", `${place}: ${shown2(value)} is not ${allowed}`);
+}
+function numberIn(place, value, low, high) {
+  return expectOption(place, value, `a number from ${low} to ${high}`, typeof value == "number" && value >= low && value <= high), value;
 }
 function checkOptions(place, options, rules2, needed) {
   let isObject = typeof options == "object" && options !== null;
@@ -5572,18 +5575,18 @@ function turned(v, axis, angle) {
 }
 
 // src/render/camera.ts
-function axesOf(camera) {
-  let forward = unit(sub(camera.target, camera.eye), [0, 0, -1]), right = cross(forward, camera.up);
-  if (size(right) < 1e-6 * size(camera.up) || size(camera.up) === 0) {
+function axesOf(camera2) {
+  let forward = unit(sub(camera2.target, camera2.eye), [0, 0, -1]), right = cross(forward, camera2.up);
+  if (size(right) < 1e-6 * size(camera2.up) || size(camera2.up) === 0) {
     let away = forward.map(Math.abs), axis = away[2] <= away[0] && away[2] <= away[1] ? [0, 0, -1] : away[0] <= away[1] ? [1, 0, 0] : [0, 1, 0];
     right = cross(forward, axis);
   }
   return right = unit(right), { right, up: cross(right, forward), forward };
 }
-function viewOf(camera, origin, width, height, content) {
-  let eye = sub(camera.eye, origin), { right, up, forward } = axesOf(camera), gap = [0, 1, 2].map((i) => Math.max(content.low[i] - eye[i], eye[i] - content.high[i], 0)), extent = size(sub(content.high, content.low)), near = Math.max(0.5 * size(gap), Math.min(0.05, 1e-3 * extent), 1e-6), reach = [0, 1, 2].map(
+function viewOf(camera2, origin, width, height, content) {
+  let eye = sub(camera2.eye, origin), { right, up, forward } = axesOf(camera2), gap = [0, 1, 2].map((i) => Math.max(content.low[i] - eye[i], eye[i] - content.high[i], 0)), extent = size(sub(content.high, content.low)), near = Math.max(0.5 * size(gap), Math.min(0.05, 1e-3 * extent), 1e-6), reach = [0, 1, 2].map(
     (i) => Math.max(Math.abs(content.low[i] - eye[i]), Math.abs(content.high[i] - eye[i]))
-  ), far = Math.max(1.01 * size(reach), 1.01 * near), focal = 1 / Math.tan(camera.fovYDeg * Math.PI / 360), aspect = width / height, row = (axis, scale) => [...scaled(axis, scale), -scale * dot(axis, eye)], w = row(forward, 1), x = row(right, focal / aspect), y = row(up, -focal), slope = near / (far - near), z = w.map((value, i) => slope * ((i === 3 ? far : 0) - value)), viewProjection = [];
+  ), far = Math.max(1.01 * size(reach), 1.01 * near), focal = 1 / Math.tan(camera2.fovYDeg * Math.PI / 360), aspect = width / height, row = (axis, scale) => [...scaled(axis, scale), -scale * dot(axis, eye)], w = row(forward, 1), x = row(right, focal / aspect), y = row(up, -focal), slope = near / (far - near), z = w.map((value, i) => slope * ((i === 3 ? far : 0) - value)), viewProjection = [];
   for (let column = 0; column < 4; ++column) viewProjection.push(x[column], y[column], z[column], w[column]);
   let plane = (a, b, sign) => {
     let sum = a.map((value, i) => value + sign * b[i]), length = Math.hypot(sum[0], sum[1], sum[2]) || 1;
@@ -5842,16 +5845,16 @@ function writeSun(block, ground, sun) {
   let rim = 2, axes = [...axesAbout(sun), sun], centre = [0, 1, 2].map((i) => 0.5 * (ground.low[i] + ground.high[i])), half = [0, 1, 2].map((i) => 0.5 * (ground.high[i] - ground.low[i])), reach = axes.map((axis) => Math.max(dot(axis.map(Math.abs), half), 1e-6)), scales = [(0.5 * sunMapSize - rim) / reach[0], (0.5 * sunMapSize - rim) / reach[1], 0.49 / reach[2]], row = (i, middle) => [...scaled(axes[i], scales[i]), middle - scales[i] * dot(axes[i], centre)];
   block.floats("shadow.across", row(0, 0.5 * sunMapSize)), block.floats("shadow.down", row(1, 0.5 * sunMapSize)), block.floats("shadow.depth", row(2, 0.5)), block.words("shadow.size", [sunMapSize]), block.floats("shadow.texel", [1 / Math.min(scales[0], scales[1])]), block.floats("shadow.epsilon", [4e-6]);
 }
-function shadowRows(view, camera, sun, distance) {
-  let half = 0.5 * distance, across = unit(cross(Math.abs(sun[1]) < 0.9 ? [0, 1, 0] : [1, 0, 0], sun)), down = cross(sun, across), middle = axesOf(camera).forward.map((x, i) => view.eye[i] + half * x), texel = 2 * half / bladeShadowTexels, stepped = (axis) => Math.round(dot(axis, middle) / texel) * texel, length = 3 * half;
+function shadowRows(view, camera2, sun, distance) {
+  let half = 0.5 * distance, across = unit(cross(Math.abs(sun[1]) < 0.9 ? [0, 1, 0] : [1, 0, 0], sun)), down = cross(sun, across), middle = axesOf(camera2).forward.map((x, i) => view.eye[i] + half * x), texel = 2 * half / bladeShadowTexels, stepped = (axis) => Math.round(dot(axis, middle) / texel) * texel, length = 3 * half;
   return [
     [...scaled(across, 1 / half), -stepped(across) / half],
     [...scaled(down, 1 / half), -stepped(down) / half],
     [...scaled(sun, 1 / length), (half - stepped(sun)) / length]
   ];
 }
-function writeBladeShadow(block, view, camera, sun, distance) {
-  let rows = shadowRows(view, camera, sun, distance), half = 0.5 * bladeShadowTexels, inTexels = (row) => row.map((x, i) => half * x + (i === 3 ? half : 0));
+function writeBladeShadow(block, view, camera2, sun, distance) {
+  let rows = shadowRows(view, camera2, sun, distance), half = 0.5 * bladeShadowTexels, inTexels = (row) => row.map((x, i) => half * x + (i === 3 ? half : 0));
   block.floats("bladeShadow.across", inTexels(rows[0])), block.floats("bladeShadow.down", inTexels(rows[1])), block.floats("bladeShadow.depth", rows[2]), block.words("bladeShadow.size", [bladeShadowTexels]), block.floats("bladeShadow.nearer", [1 / (bladeShadowTexels * 3)]);
 }
 function shadowPlanes(rows) {
@@ -5911,9 +5914,9 @@ var units = [
     let shaders = [
       [gl.VERTEX_SHADER, vertex],
       [gl.FRAGMENT_SHADER, fragment]
-    ].map(([kind, text]) => {
+    ].map(([kind, text2]) => {
       let shader = gl.createShader(kind);
-      return gl.shaderSource(shader, text), gl.compileShader(shader), gl.attachShader(this.program, shader), shader;
+      return gl.shaderSource(shader, text2), gl.compileShader(shader), gl.attachShader(this.program, shader), shader;
     });
     captured2.length > 0 && gl.transformFeedbackVaryings(this.program, captured2, gl.INTERLEAVED_ATTRIBS), gl.linkProgram(this.program), this.check = () => {
       if (gl.getProgramParameter(this.program, gl.LINK_STATUS) || gl.isContextLost()) return;
@@ -6385,12 +6388,14 @@ var captured = ["recordV0", "recordV1", "recordV2", "recordSurface", "recordFram
   constructor(canvas, field, cover = noCover, sowing2, host) {
     this.canvas = canvas;
     this.field = field;
+    this.cover = cover;
     this.sowing = sowing2;
     let options = { antialias: !1, alpha: !1, depth: !1, powerPreference: "high-performance" }, gl = host ?? canvas.getContext("webgl2", options);
     gl || fail("unsupported", "this browser has no WebGL 2, or its graphics driver is blocked"), this.gl = gl, this.tree = new PatchTree(field, sowing2), this.scene = sceneOf(field, sowing2 ? sownCover(cover, sowing2.areaPerStored) : cover, sowing2?.patches), this.restore();
   }
   canvas;
   field;
+  cover;
   sowing;
   kind = "webgl";
   scene;
@@ -6422,7 +6427,7 @@ var captured = ["recordV0", "recordV1", "recordV2", "recordSurface", "recordFram
   }
   /** Draws into a framebuffer of a host, whose depth hides grass and is hidden by it. */
   drawInHost(input) {
-    let { gl } = this, width = input.width ?? gl.drawingBufferWidth, height = input.height ?? gl.drawingBufferHeight, { view, camera, light } = hostView(input, height, this.usualLight), before = enterHost(gl), { groups, stats } = this.prepare({ ...input, camera, light }, view);
+    let { gl } = this, width = input.width ?? gl.drawingBufferWidth, height = input.height ?? gl.drawingBufferHeight, { view, camera: camera2, light } = hostView(input, height, this.usualLight), before = enterHost(gl), { groups, stats } = this.prepare({ ...input, camera: camera2, light }, view);
     return gl.bindFramebuffer(gl.FRAMEBUFFER, input.framebuffer ?? null), gl.viewport(0, 0, width, height), this.parts.drawInHost(groups, input.isLinear ?? !1, input.ground ?? !1), leaveHost(gl, before), stats;
   }
   /** Chooses the groups of blades of a view, and brings what has come onto the device. */
@@ -10872,8 +10877,8 @@ function imageTexture2(device, image) {
 // src/render/webgpu/stages.ts
 var textOf = (name) => stages[name].head + stages[name].pieces.map((i) => pieces2[i]).join(`
 `), bindingsOf = (name) => stages[name].resources;
-function ownOverrides(text, overrides) {
-  return Object.fromEntries(Object.entries(overrides).filter(([name]) => text.includes(`override ${name} `)));
+function ownOverrides(text2, overrides) {
+  return Object.fromEntries(Object.entries(overrides).filter(([name]) => text2.includes(`override ${name} `)));
 }
 async function computeStage(device, name, overrides) {
   let code = textOf(name), module = device.createShaderModule({ label: name, code });
@@ -11367,8 +11372,8 @@ var SowModule = class {
   /** `place` is for messages. */
   constructor(module, place) {
     let refuse = (kind, message, bytes) => {
-      let text = new TextDecoder().decode(new Uint8Array(this.exports.memory.buffer, message, bytes));
-      throw new SwardError(kinds[kind] ?? "runtime", `${place}: ${text}`);
+      let text2 = new TextDecoder().decode(new Uint8Array(this.exports.memory.buffer, message, bytes));
+      throw new SwardError(kinds[kind] ?? "runtime", `${place}: ${text2}`);
     };
     this.exports = new WebAssembly.Instance(module, { sward: { refuse } }).exports, this.exports._initialize(), this.unit = this.exports.take(4 * unitWords);
   }
@@ -11784,10 +11789,28 @@ async function wasmBeside() {
 }
 
 // src/page/options.ts
+var isVector = (value) => Array.isArray(value) && value.length === 3 && value.every(Number.isFinite);
+function isCamera(value) {
+  return !value || ![value.eye, value.target, value.up].every(isVector) ? !1 : size(sub(value.eye, value.target)) > 0 && size(value.up) > 0 && value.fovYDeg > 0 && value.fovYDeg < 180;
+}
+var camera = [
+  "a camera { eye, target, up, fovYDeg }: three numbers each, eye apart from target, an angle between 0 and 180",
+  isCamera
+];
+function checkCamera(place, value) {
+  expectOption(place, value, camera[0], isCamera(value));
+}
 var sowing = [
   "false or an object",
   (value) => (typeof value == "object" && value !== null && checkOptions("sow", value, sowRules), value === !1 || typeof value == "object" && value !== null)
-];
+], showRules = {
+  field: address,
+  cover: address,
+  camera,
+  panel: flag,
+  sow: sowing,
+  renderer: [rendererKinds, isRendererKind]
+};
 
 // src/page/grass.ts
 var rules = { field: address, cover: address, sow: sowing, onChange: callback, onError: callback }, firstPages = 384, pagesAtOnce = 256, Grass = class _Grass {
@@ -11843,6 +11866,44 @@ function groundMesh(field) {
   return mesh;
 }
 
+// src/page/contexts.ts
+var Contexts = class {
+  holders = /* @__PURE__ */ new Set();
+  released = /* @__PURE__ */ new Set();
+  waiting = /* @__PURE__ */ new Set();
+  /** A view has a context. */
+  add(view) {
+    for (let views of [this.holders, this.released, this.waiting]) views.delete(view);
+    this.holders.add(view), this.spare();
+  }
+  /** A view has ended. */
+  remove(view) {
+    for (let views of [this.holders, this.released, this.waiting]) views.delete(view);
+    this.spare();
+  }
+  /** Takes the contexts of far views away while there are many, and gives room to those that wait. */
+  spare() {
+    for (let view of this.holders) {
+      if (this.holders.size <= 8) break;
+      view.release() && (this.holders.delete(view), this.released.add(view));
+    }
+    for (let view of this.waiting) {
+      if (this.holders.size >= 14) return;
+      view.comeBack() && (this.waiting.delete(view), this.holders.add(view));
+    }
+  }
+  /** Whether the context of a view was given away, and not lost. */
+  isReleased(view) {
+    return this.released.has(view);
+  }
+  /** A view is without its context. Returns what it says; undefined: that it has lost the device. */
+  lost(view) {
+    if (this.isReleased(view)) return "";
+    if (!(this.holders.size <= 14))
+      return this.holders.delete(view), this.waiting.add(view), "This page shows more fields than the browser draws at once, often 16. This one comes back when others go.";
+  }
+};
+
 // src/page/controls.ts
 var eyeHeight = 1.7, moves = {
   KeyW: [2, 1],
@@ -11862,9 +11923,9 @@ var eyeHeight = 1.7, moves = {
    * `reach` [m]: size of what is shown. `heightAt`: of the ground along `up`, at a place relative to the field's
    * origin. `onChange` is called when something has moved.
    */
-  constructor(element, camera, up, reach, origin, heightAt, onChange) {
+  constructor(element, camera2, up, reach, origin, heightAt, onChange) {
     this.element = element;
-    this.camera = camera;
+    this.camera = camera2;
     this.up = up;
     this.reach = reach;
     this.origin = origin;
@@ -11944,21 +12005,21 @@ var eyeHeight = 1.7, moves = {
   }
   /** Turns the eye around the target. */
   turnAround(side, rise) {
-    let { camera, up } = this, arm = turned(sub(camera.eye, camera.target), up, side), axis = unit(cross(arm, up), [1, 0, 0]), angle = Math.acos(clamp(dot(unit(arm), up), -1, 1));
-    arm = turned(arm, axis, angle - clamp(angle + rise, 0.05, 3.09)), this.camera = { ...camera, up, eye: this.above(add(camera.target, arm)) }, this.onChange();
+    let { camera: camera2, up } = this, arm = turned(sub(camera2.eye, camera2.target), up, side), axis = unit(cross(arm, up), [1, 0, 0]), angle = Math.acos(clamp(dot(unit(arm), up), -1, 1));
+    arm = turned(arm, axis, angle - clamp(angle + rise, 0.05, 3.09)), this.camera = { ...camera2, up, eye: this.above(add(camera2.target, arm)) }, this.onChange();
   }
   /** Turns the view around the eye. */
   look(side, rise) {
-    let { camera, up } = this, way = turned(sub(camera.target, camera.eye), up, side), axis = unit(cross(way, up), [1, 0, 0]), angle = Math.acos(clamp(dot(unit(way), up), -1, 1));
-    way = turned(way, axis, angle - clamp(angle - rise, 0.05, 3.09)), this.camera = { ...camera, up, target: add(camera.eye, way) }, this.onChange();
+    let { camera: camera2, up } = this, way = turned(sub(camera2.target, camera2.eye), up, side), axis = unit(cross(way, up), [1, 0, 0]), angle = Math.acos(clamp(dot(unit(way), up), -1, 1));
+    way = turned(way, axis, angle - clamp(angle - rise, 0.05, 3.09)), this.camera = { ...camera2, up, target: add(camera2.eye, way) }, this.onChange();
   }
   /** Brings the eye nearer to the target, or moves it ahead. */
   dolly(factor) {
-    let { camera } = this, arm = sub(camera.eye, camera.target);
-    this.mode !== "orbit" ? this.shift(scaled(unit(arm), 0.1 * this.reach * Math.log(factor))) : size(arm) * factor > 0.02 && size(arm) * factor < 20 * this.reach && (this.camera = { ...camera, eye: this.above(add(camera.target, scaled(arm, factor))) }), this.mode === "walk" && this.stand(), this.onChange();
+    let { camera: camera2 } = this, arm = sub(camera2.eye, camera2.target);
+    this.mode !== "orbit" ? this.shift(scaled(unit(arm), 0.1 * this.reach * Math.log(factor))) : size(arm) * factor > 0.02 && size(arm) * factor < 20 * this.reach && (this.camera = { ...camera2, eye: this.above(add(camera2.target, scaled(arm, factor))) }), this.mode === "walk" && this.stand(), this.onChange();
   }
   pan(dx, dy) {
-    let { camera } = this, { right, up } = axesOf(camera), metres = 2 * size(sub(camera.eye, camera.target)) * Math.tan(camera.fovYDeg * Math.PI / 360) / Math.max(this.element.clientHeight, 1);
+    let { camera: camera2 } = this, { right, up } = axesOf(camera2), metres = 2 * size(sub(camera2.eye, camera2.target)) * Math.tan(camera2.fovYDeg * Math.PI / 360) / Math.max(this.element.clientHeight, 1);
     this.shift(add(scaled(right, -dx * metres), scaled(up, dy * metres))), this.onChange();
   }
   shift(way) {
@@ -11971,13 +12032,13 @@ var eyeHeight = 1.7, moves = {
   }
   /** Brings the eye above the ground: where it is, else at the target, else in the middle of the field. */
   land() {
-    let { camera, up } = this, isOver = (place) => this.heightAt(sub(place, this.origin)) !== void 0;
-    if (isOver(camera.eye)) {
-      let way = sub(camera.target, camera.eye), level = unit(sub(way, scaled(up, dot(way, up))), [1, 0, 0]);
-      this.camera = { ...camera, target: add(camera.eye, level) };
+    let { camera: camera2, up } = this, isOver = (place) => this.heightAt(sub(place, this.origin)) !== void 0;
+    if (isOver(camera2.eye)) {
+      let way = sub(camera2.target, camera2.eye), level = unit(sub(way, scaled(up, dot(way, up))), [1, 0, 0]);
+      this.camera = { ...camera2, target: add(camera2.eye, level) };
     } else {
-      let to = isOver(camera.target) ? camera.target : this.origin, level = sub(sub(camera.target, camera.eye), scaled(up, dot(sub(camera.target, camera.eye), up)));
-      this.camera = { ...camera, eye: to, target: add(to, unit(level, [1, 0, 0])) };
+      let to = isOver(camera2.target) ? camera2.target : this.origin, level = sub(sub(camera2.target, camera2.eye), scaled(up, dot(sub(camera2.target, camera2.eye), up)));
+      this.camera = { ...camera2, eye: to, target: add(to, unit(level, [1, 0, 0])) };
     }
     this.stand();
   }
@@ -12033,8 +12094,55 @@ var cells = 512, GroundHeight = class {
   }
 };
 
+// src/page/styles.ts
+var text = `
+:where(.sward) { position: relative; overflow: hidden; isolation: isolate; }
+:where(.sward)::before { content: ""; display: block; padding-top: 56.25%; }
+.sward > canvas { position: absolute; left: 0; top: 0; width: 100%; height: 100%; margin: 0; display: block; touch-action: none;
+  outline-offset: -3px; }
+.sward-poster { position: absolute; inset: 0; width: 100%; height: 100%; object-fit: cover; pointer-events: none;
+  transition: opacity .4s; }
+.sward-gone { opacity: 0; }
+@media (prefers-reduced-motion: reduce) { .sward-poster { transition: none; } }
+.sward-message, .sward-tools, .sward-note { box-sizing: border-box; color: #fff; font: 15px/1.4 system-ui, sans-serif; text-align: left; }
+.sward-message { position: absolute; left: 50%; top: 45%; transform: translate(-50%, -50%); margin: 0; padding: .6em 1em;
+  width: max-content; max-width: min(44em, 88%); border-radius: .5em; background: #0009; overflow-wrap: anywhere; }
+.sward-message:not(.sward-error):has(~ .sward-tools) { left: auto; right: .8em; top: .8em; transform: none; font-size: 13px; }
+.sward-message[hidden], .sward-progress[hidden] { display: none; }
+.sward-progress { position: absolute; left: 0; top: 0; width: 100%; height: 4px; border: 0; appearance: none;
+  background: #0003; accent-color: #8bc34a; }
+.sward-tools { position: absolute; left: .8em; bottom: .8em; max-width: calc(100% - 1.6em); max-height: calc(100% - 1.6em);
+  overflow: auto; padding: .3em .7em; border-radius: .6em; background: #0a140a99; }
+.sward-tools summary { cursor: pointer; }
+.sward-tools > div { display: flex; flex-wrap: wrap; gap: .5em; align-items: center; padding: .3em 0; }
+.sward-tools button, .sward-tools select { font: inherit; color: inherit; background: #fff2; border: 1px solid #fff4;
+  border-radius: .4em; padding: .2em .7em; min-height: 2em; max-width: 100%; cursor: pointer; }
+.sward-tools option { color: #000; background: #fff; }
+.sward-tools button[aria-pressed=true] { background: #6a9a3c; }
+.sward-tools :focus-visible { outline: 2px solid #fff; outline-offset: 1px; }
+.sward-tools label { display: flex; gap: .4em; align-items: center; }
+.sward-tools input { width: 7em; accent-color: #8bc34a; }
+.sward-tools output { min-width: 3.2em; font-variant-numeric: tabular-nums; }
+.sward-note:empty { display: none; }
+.sward-note { position: absolute; left: .8em; top: .6em; max-width: 60%; font-size: 13px; opacity: .85; text-shadow: 0 0 3px #000;
+  pointer-events: none; }
+`, styled = /* @__PURE__ */ new WeakSet();
+function addStyles(element) {
+  let own = element.getRootNode(), root = own instanceof ShadowRoot ? own : element.ownerDocument;
+  if (!styled.has(root)) {
+    styled.add(root);
+    try {
+      let sheet = new CSSStyleSheet();
+      sheet.replaceSync(text), root.adoptedStyleSheets = [...root.adoptedStyleSheets, sheet];
+    } catch {
+      let style = element.ownerDocument.createElement("style");
+      style.textContent = text, (root instanceof ShadowRoot ? root : root.head).append(style);
+    }
+  }
+}
+
 // src/page/panel.ts
-var megabytes = (bytes) => `${(bytes / 1e6).toFixed(1)} MB`;
+var megabytes = (bytes) => `${(bytes / 1e6).toFixed(1)} MB`, leastArea = 2e5;
 function make(name, attributes, ...children) {
   let element = document.createElement(name);
   for (let [key, value] of Object.entries(attributes)) element.setAttribute(key, value);
@@ -12043,7 +12151,7 @@ function make(name, attributes, ...children) {
 var Panel = class {
   constructor(element, canvas) {
     this.element = element;
-    element.classList.add("sward"), canvas.tabIndex = 0, canvas.setAttribute("role", "application"), canvas.setAttribute(
+    element.classList.add("sward"), addStyles(element), getComputedStyle(element).display === "inline" && (element.style.display = "block"), canvas.tabIndex = 0, canvas.setAttribute("role", "application"), canvas.setAttribute(
       "aria-label",
       "A field of grass in three dimensions. Arrow keys turn the view, plus and minus come nearer and go away."
     ), this.poster = element.querySelector(".sward-poster"), element.replaceChildren(canvas, ...this.poster ? [this.poster] : [], this.message, this.bar, this.note), this.say("The field is coming.");
@@ -12053,15 +12161,18 @@ var Panel = class {
   bar = make("progress", { class: "sward-progress", "aria-label": "Blades that have come", max: "1" });
   note = make("small", { class: "sward-note", role: "note" });
   poster;
+  tools;
+  wasFolded = !1;
+  followers = [];
   hasFailed = !1;
   /** Shows a text; none if it is empty. */
-  say(text) {
-    this.hasFailed || (this.message.textContent = text, this.message.hidden = text === "");
+  say(text2) {
+    this.hasFailed || (this.message.textContent = text2, this.message.hidden = text2 === "");
   }
   /** Shows an error instead of anything else. */
   fail(error) {
-    let text = error instanceof SwardError ? error.message : "The field cannot be shown: something unexpected happened.";
-    error instanceof SwardError || console.error(error), this.say(text), this.hasFailed = !0, this.message.setAttribute("role", "alert"), this.message.classList.add("sward-error"), this.bar.hidden = !0;
+    let text2 = error instanceof SwardError ? error.message : "The field cannot be shown: something unexpected happened.";
+    error instanceof SwardError || console.error(error), this.say(text2), this.hasFailed = !0, this.message.setAttribute("role", "alert"), this.message.classList.add("sward-error"), this.bar.hidden = !0;
   }
   /** The first picture is there: that of the page fades, or goes at once where less motion is asked for. */
   begin() {
@@ -12082,62 +12193,75 @@ var Panel = class {
     let share = field.pageCount > 0 ? field.presentPages / field.pageCount : 1;
     this.bar.value = share, this.bar.hidden = share >= 1, !this.hasFailed && this.say(share >= 1 ? "" : `${Math.floor(100 * share)} % of ${field.bladeCount.toLocaleString("en")} blades`);
   }
+  /** Shows what the view has, also where a script has set it. */
+  follow() {
+    for (let one of this.followers) one();
+  }
+  /** Folds the controls where they would hide much of a picture, unless someone has folded or unfolded them. */
+  fit(width, height) {
+    this.tools && !this.wasFolded && (this.tools.open = width * height >= leastArea);
+  }
   /** Adds the controls of a view. */
   control(view) {
     let buttons = [
       ["orbit", "Orbit", "Drag turns around the field, right drag moves it, the wheel comes nearer"],
       ["fly", "Fly", "Drag looks around; W A S D or arrows fly, E and Q rise and sink, Shift is faster"],
       ["walk", "Walk", "Drag looks around; W A S D or arrows walk on the ground"]
-    ].filter(([mode]) => mode !== "walk" || view.field.defaults.gravity.blend === 0).map(([mode, text, title]) => {
-      let button = make("button", { type: "button", title, "aria-pressed": String(mode === "orbit") }, text);
+    ].filter(([mode]) => view.modes.includes(mode)).map(([mode, text2, title]) => {
+      let button = make("button", { type: "button", title }, text2);
       return button.addEventListener("click", () => {
-        view.setMode(mode), buttons.forEach((other) => other.setAttribute("aria-pressed", String(other === button))), view.canvas.focus();
-      }), button;
+        view.setMode(mode), view.canvas.focus();
+      }), this.followers.push(() => button.setAttribute("aria-pressed", String(view.controls.mode === mode))), button;
     }), home = make("button", { type: "button", title: "Show all of the field" }, "Home");
-    home.addEventListener("click", () => view.setCamera(view.wholeView()));
-    let slider = (text, low, high, step, value, shown3, set) => {
+    home.addEventListener("click", () => view.showWhole());
+    let slider = (text2, low, high, step, shown3, get, set) => {
       let input = make("input", {
         type: "range",
         min: String(low),
         max: String(high),
         step: String(step),
-        value: String(value),
-        "aria-label": text,
-        "aria-valuetext": shown3(value)
-      }), output = make("output", {}, shown3(value));
-      return input.addEventListener("input", () => {
-        set(input.valueAsNumber), output.textContent = shown3(input.valueAsNumber), input.setAttribute("aria-valuetext", output.textContent), view.change();
-      }), make("label", {}, make("span", {}, text), input, output);
-    }, clock = (hour) => `${Math.floor(hour)}:${String(Math.round(hour % 1 * 60)).padStart(2, "0")}`, tools = make(
+        "aria-label": text2
+      }), output = make("output", {}), last;
+      return this.followers.push(() => {
+        let value = get();
+        value !== last && (last = value, input.value = String(value), output.textContent = shown3(value), input.setAttribute("aria-valuetext", output.textContent));
+      }), input.addEventListener("input", () => set(input.valueAsNumber)), make("label", {}, make("span", {}, text2), input, output);
+    }, clock = (hour) => {
+      let minutes = Math.round(60 * hour);
+      return `${Math.floor(minutes / 60)}:${String(minutes % 60).padStart(2, "0")}`;
+    }, tools = make(
       "div",
-      { class: "sward-tools", role: "toolbar", "aria-label": "View of the field" },
+      { role: "toolbar", "aria-label": "View of the field" },
       ...buttons,
       home,
-      slider("Wind", 0, 3, 0.1, view.wind, (x) => `${Math.round(100 * x)} %`, (x) => view.wind = x),
-      slider("Time", 5.25, 18.75, 0.25, view.hour, clock, (x) => view.hour = x),
-      slider("Detail", -2, 2, 0.5, 0, (x) => `×${2 ** x < 1 ? (2 ** x).toFixed(2) : (2 ** x).toFixed(1)}`, (x) => view.detail = 2 ** x)
+      slider("Wind", 0, 3, 0.1, (x) => `${Math.round(100 * x)} %`, () => view.wind, (x) => view.wind = x),
+      slider("Time", 5.25, 18.75, 0.25, clock, () => view.hour, (x) => view.hour = x),
+      slider("Detail", -2, 2, 0.5, (x) => `×${(2 ** x).toFixed(x < 0 ? 2 : 1)}`, () => Math.log2(view.detail), (x) => view.detail = 2 ** x)
     ), cameras = view.field.defaults.cameras;
     if (cameras.length > 0) {
       let select = make(
         "select",
         { "aria-label": "Saved view" },
-        ...cameras.map((camera, i) => make("option", { value: String(i) }, camera.name))
+        make("option", { hidden: "" }, "Saved views"),
+        ...cameras.map((camera2, i) => make("option", { value: String(i) }, camera2.name))
       );
-      select.addEventListener("change", () => view.setCamera(cameras[select.selectedIndex])), tools.append(select);
+      select.addEventListener("change", () => view.setCamera(cameras[select.selectedIndex - 1])), this.followers.push(() => select.selectedIndex = 1 + cameras.indexOf(view.controls.camera)), tools.append(select);
     }
-    this.note.append(view.field.defaults.copyright), this.element.append(tools);
+    this.note.append(view.field.defaults.copyright);
+    let summary = make("summary", { title: "Shows or hides the controls" }, "Controls");
+    summary.addEventListener("click", () => this.wasFolded = !0), this.tools = make("details", { class: "sward-tools" }, summary, tools), this.fit(this.element.clientWidth, this.element.clientHeight), this.element.append(this.tools), this.follow();
   }
 };
 
 // src/page/page.ts
-var firstPages2 = 384, pagesAtOnce2 = 128, requestsAtOnce = 4, minBlades = 6e4, firstBlades = { webgl: 15e4, webgpu: 1e6 }, maxBlades = { webgl: 2e6, webgpu: 4e6 }, messageTime = 6e3, longestFrame = 0.1, rest = 250, FieldView = class {
-  constructor(element, field, renderer, panel, camera) {
+var firstPages2 = 384, pagesAtOnce2 = 128, requestsAtOnce = 4, minBlades = 6e4, firstBlades = { webgl: 15e4, webgpu: 1e6 }, maxBlades = { webgl: 2e6, webgpu: 4e6 }, messageTime = 6e3, longestFrame = 0.1, mostPixels = 8192, rest = 250, FieldView = class {
+  constructor(element, field, renderer, panel, camera2) {
     this.element = element;
     this.field = field;
     this.renderer = renderer;
     this.panel = panel, this.budget = firstBlades[renderer.kind];
     let isPlanet = field.defaults.gravity.blend > 0;
-    this.heights = isPlanet ? void 0 : new GroundHeight(field.ground, this.up), this.observer = new ResizeObserver(() => this.resize()), this.adopt(renderer, camera ?? field.defaults.cameras[0]), document.addEventListener("visibilitychange", this.wake), requestAnimationFrame(this.tick);
+    this.heights = isPlanet ? void 0 : new GroundHeight(field.ground, this.up), this.observer = new ResizeObserver(() => this.resize()), this.observer.observe(element), this.nearness = new IntersectionObserver((found) => this.approach(found[found.length - 1].isIntersecting), { rootMargin: "50%" }), this.adopt(renderer, camera2 ?? field.defaults.cameras[0]), this.nearness.observe(element), document.addEventListener("visibilitychange", this.wake), requestAnimationFrame(this.tick);
   }
   element;
   field;
@@ -12149,12 +12273,16 @@ var firstPages2 = 384, pagesAtOnce2 = 128, requestsAtOnce = 4, minBlades = 6e4, 
   frames = 0;
   /** Milliseconds from one frame to the next, smoothed. */
   frameTime = 0;
-  /** Factor of the field's wind. */
-  wind = 1;
-  /** Hour of the day, 5 to 19; at 9 the sun stands as in the viewer. */
-  hour = 9;
-  /** Factor of the number of blades that are drawn at most. */
-  detail = 1;
+  windFactor = 1;
+  hourOfDay = 9;
+  detailFactor = 1;
+  /** The view of all of the field, while nobody has moved it. */
+  whole;
+  ratio = 1;
+  /** Whether the element has a size, and whether it is in the window or near it. */
+  hasSize = !1;
+  isNear = !0;
+  context = null;
   time = 0;
   last = 0;
   isDirty = !0;
@@ -12166,48 +12294,50 @@ var firstPages2 = 384, pagesAtOnce2 = 128, requestsAtOnce = 4, minBlades = 6e4, 
   isStopped = !1;
   hasFailed = !1;
   observer;
+  nearness;
   heights;
   stillness = matchMedia("(prefers-reduced-motion: reduce)");
   /** Takes a renderer with its canvas. */
-  adopt(renderer, camera) {
+  adopt(renderer, camera2) {
     this.renderer = renderer, this.canvas = renderer.canvas;
     let { content } = renderer.scene;
     this.resize(), this.controls = new Controls(
       this.canvas,
-      camera ?? this.wholeView(),
+      camera2 ?? (this.whole = this.wholeView()),
       this.up,
       size(sub(content.high, content.low)),
       this.field.origin,
       (place) => this.heights?.at(place),
       () => this.change()
-    ), this.observer.disconnect(), this.observer.observe(this.canvas);
-    let wasLost = () => {
-      this.isLost = !0, this.panel.say("The graphics device was lost. The picture comes back when it does.");
-    };
+    );
+    let wasLost = (text2 = "The graphics device was lost. The picture comes back when it does.") => {
+      this.isLost = !0, this.panel.say(text2);
+    }, { canvas } = this;
     if (renderer.kind === "webgpu") {
       renderer.onLost(() => {
         wasLost(), this.replaceRenderer();
       });
       return;
     }
-    this.canvas.addEventListener("webglcontextlost", (event) => {
-      event.preventDefault(), wasLost();
-    }), this.canvas.addEventListener("webglcontextrestored", () => {
-      renderer.restore(), this.isLost = !1, this.panel.say(""), this.change();
+    this.context = canvas.getContext("webgl2").getExtension("WEBGL_lose_context"), contexts.add(this), canvas.addEventListener("webglcontextlost", (event) => {
+      this.isStopped || (event.preventDefault(), wasLost(contexts.lost(this)), this.approach(this.isNear));
+    }), canvas.addEventListener("webglcontextrestored", () => {
+      this.isStopped || this.canvas !== canvas || (contexts.add(this), renderer.restore(), this.isLost = !1, this.panel.say(""), this.change());
     });
   }
   /** Goes on with another device, or by WebGL 2, on a new canvas. */
   async replaceRenderer() {
-    let { mode, camera } = this.controls, canvas = this.canvas.cloneNode();
+    let { mode, camera: camera2 } = this.controls, { renderer: before } = this, canvas = this.canvas.cloneNode();
     this.canvas.replaceWith(canvas);
     try {
-      this.adopt(await makeRenderer(canvas, this.field, this.renderer.scene.cover), camera);
+      let renderer = before.kind === "webgl" ? new Renderer(canvas, this.field, before.cover, before.sowing) : await makeRenderer(canvas, this.field, before.scene.cover);
+      if (this.adopt(renderer, camera2), this.isStopped) return this.free();
     } catch (error) {
       this.panel.fail(error);
       return;
     }
     this.controls.setMode(mode), this.budget = firstBlades[this.renderer.kind], this.isLost = !1;
-    let isOther = this.renderer.kind === "webgl";
+    let isOther = this.renderer.kind !== before.kind;
     this.panel.say(isOther ? "The graphics device was lost. Now WebGL draws." : ""), isOther && setTimeout(() => this.panel.say(""), messageTime), this.change();
   }
   /** Up direction of the field, against gravity. */
@@ -12219,29 +12349,75 @@ var firstPages2 = 384, pagesAtOnce2 = 128, requestsAtOnce = 4, minBlades = 6e4, 
     let { renderer, field, canvas } = this, aspect = canvas.width / canvas.height;
     return fittingCamera(renderer.scene.content, field.origin, this.up, renderer.usualLight.sunDirection, aspect);
   }
-  setMode(mode) {
-    this.controls.setMode(mode);
+  /** Factor of the field's wind, 0 to 10. */
+  get wind() {
+    return this.windFactor;
   }
-  setCamera(camera) {
-    this.controls.camera = camera, this.change();
+  set wind(factor) {
+    this.windFactor = numberIn("wind", factor, 0, 10), this.change();
+  }
+  /** Hour of the day, 5 to 19; at 9 the sun stands as in the viewer. */
+  get hour() {
+    return this.hourOfDay;
+  }
+  set hour(hour) {
+    this.hourOfDay = numberIn("hour", hour, 5, 19), this.change();
+  }
+  /** Factor of the number of blades that are drawn at most, 0.01 to 100. */
+  get detail() {
+    return this.detailFactor;
+  }
+  set detail(factor) {
+    this.detailFactor = numberIn("detail", factor, 0.01, 100), this.change();
+  }
+  /** Ways of moving that the field has: nobody walks on planets. */
+  get modes() {
+    return this.heights ? ["orbit", "fly", "walk"] : ["orbit", "fly"];
+  }
+  setMode(mode) {
+    expectOption("setMode", mode, `one of ${this.modes.join(", ")}`, this.modes.includes(mode)), this.controls.setMode(mode);
+  }
+  setCamera(camera2) {
+    checkCamera("setCamera", camera2), this.controls.camera = camera2, this.change();
+  }
+  /** Shows all of the field, also after the element changes its size. */
+  showWhole() {
+    this.setCamera(this.whole = this.wholeView());
   }
   /** Asks for a new picture: something has changed. */
   change() {
-    this.isDirty = !0, this.isRefined = !1, this.changedAt = performance.now();
+    this.isDirty = !0, this.isRefined = !1, this.changedAt = performance.now(), this.panel.follow();
   }
-  /** Ends the work in the element. */
+  /** Ends the work in the element, and frees the device: the picture goes. */
   stop() {
-    this.isStopped = !0, this.observer.disconnect(), document.removeEventListener("visibilitychange", this.wake), this.renderer.sowing?.stop(), this.renderer.kind === "webgpu" && this.renderer.stop();
+    this.isStopped || (this.isStopped = !0, this.observer.disconnect(), this.nearness.disconnect(), document.removeEventListener("visibilitychange", this.wake), this.renderer.sowing?.stop(), this.free());
+  }
+  free() {
+    contexts.remove(this), this.renderer.kind === "webgpu" ? this.renderer.stop() : this.isLost || this.context?.loseContext();
+  }
+  /** Gives the context of WebGL away until the element is near the window again; false if it is near. */
+  release() {
+    return this.isNear || this.isLost ? !1 : (this.context?.loseContext(), !0);
+  }
+  /** Takes a new context, after the browser has taken the first one for another view; false if nobody sees it. */
+  comeBack() {
+    return this.isNear && this.replaceRenderer(), this.isNear;
+  }
+  /** The element has come near the window, or gone far away. */
+  approach(isNear) {
+    this.isNear = isNear, contexts.spare(), isNear && (this.isLost && contexts.isReleased(this) && setTimeout(() => this.isStopped || this.context?.restoreContext()), this.wake());
   }
   wake = () => {
     this.last = 0, this.change();
   };
   resize() {
-    let ratio = Math.min(devicePixelRatio || 1, 2), width = Math.max(Math.round(this.canvas.clientWidth * ratio), 1), height = Math.max(Math.round(this.canvas.clientHeight * ratio), 1);
-    this.canvas.width === width && this.canvas.height === height || (this.canvas.width = width, this.canvas.height = height, this.change());
+    let { clientWidth, clientHeight } = this.element;
+    this.ratio = devicePixelRatio, this.hasSize = clientWidth > 0 && clientHeight > 0, this.hasSize && this.panel.fit(clientWidth, clientHeight);
+    let ratio = Math.min(devicePixelRatio || 1, 2, mostPixels / Math.max(clientWidth, clientHeight, 1)), width = Math.max(Math.round(clientWidth * ratio), 1), height = Math.max(Math.round(clientHeight * ratio), 1);
+    this.canvas.width === width && this.canvas.height === height || (this.canvas.width = width, this.canvas.height = height, this.whole && this.controls?.camera === this.whole && (this.controls.camera = this.whole = this.wholeView()), this.change());
   }
   tick = (now) => {
-    if (this.isStopped || (requestAnimationFrame(this.tick), this.isLost || document.hidden)) return;
+    if (this.isStopped || (requestAnimationFrame(this.tick), devicePixelRatio !== this.ratio && this.resize(), this.isLost || document.hidden || !this.hasSize || !this.isNear)) return;
     let since = this.last > 0 ? now - this.last : 0;
     this.last = now, this.controls.step(Math.min(since / 1e3, longestFrame));
     let blows = this.wind > 0 && !this.stillness.matches, isResting = !blows && !this.controls.isMoving && performance.now() - this.changedAt > rest;
@@ -12298,9 +12474,14 @@ function sunAt(hour) {
     elevation: usualSun.elevation * rise(hour) / rise(9)
   };
 }
+var contexts = new Contexts(), shownIn = /* @__PURE__ */ new WeakMap();
 async function showField(element, options) {
+  expectOption("showField: element", element, "an element of a page", element?.nodeType === 1), shownIn.get(element)?.view?.stop();
+  let place = {};
+  shownIn.set(element, place);
   let canvas = document.createElement("canvas"), panel = new Panel(element, canvas);
   try {
+    checkOptions("showField", options, showRules, "field");
     let field = await openField(options.field, {
       onProgress: (received, total) => panel.receive(received, total)
     });
@@ -12308,8 +12489,10 @@ async function showField(element, options) {
     let [cover] = await Promise.all([
       options.cover ? coverAt(options.cover) : noCover,
       field.loadPages(0, Math.min(firstPages2, field.pageCount))
-    ]), sowing2 = await sowingOf(field, options, panel, () => view.change()), renderer = await makeRenderer(canvas, field, cover, options.renderer, sowing2), view = new FieldView(element, field, renderer, panel, options.camera);
-    return (options.panel ?? !0) && panel.control(view), view;
+    ]), sowing2 = await sowingOf(field, options, panel, () => view.change()), renderer = await makeRenderer(canvas, field, cover, options.renderer, sowing2);
+    shownIn.get(element) !== place && (sowing2?.stop(), fail("usage", `${field.name}: the element shows another field now`));
+    let view = new FieldView(element, field, renderer, panel, options.camera);
+    return place.view = view, (options.panel ?? !0) && panel.control(view), view;
   } catch (error) {
     throw panel.fail(error), error;
   }

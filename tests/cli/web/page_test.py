@@ -20,6 +20,7 @@ sys.path.insert(0, str(Path(__file__).resolve().parents[1] / "view"))
 from support import CliTest, INPUT, IO, PROGRAM, ROOT, USAGE
 
 from browser import chromium, look
+from file_server import FolderServer
 from needs import needs
 
 sys.path.insert(0, str(ROOT / "scripts"))
@@ -65,6 +66,31 @@ class Page(CliTest):
         # A grown part has no seeds.
         self.sward("export", seeds, "-o", "part/", "--share", "0.5")
         self.assertEqual({path.name for path in (self.folder / "part").iterdir()}, FILES)
+
+    def test_a_cover_belongs_to_its_field(self):
+        """It has hashes of itself and of the field's blades; the script compares both."""
+        needs("node")
+        self.sward("export", self.field, "-o", "page/")
+        self.sward("export", self.bake("plane", "--count", "500", to="other.sward"), "-o", "other/")
+        own = (self.folder / "page/field.cover").read_bytes()
+        covers = {"own": own, "other": (self.folder / "other/field.cover").read_bytes(), "short": own[:100], "cut": own[:-4],
+                  "old": own[32:], "empty": b""}
+        for at in (8, 20, 40, len(own) - 1):
+            covers[f"bit {at}"] = own[:at] + bytes([own[at] ^ 4]) + own[at + 1:]
+        files = []
+        for name, data in covers.items():
+            files.append(self.folder / f"{name}.cover")
+            files[-1].write_bytes(data)
+        done = subprocess.run(["node", str(HERE / "read_field.mjs"), "covers", str(self.field), *map(str, files)], capture_output=True, text=True)
+        self.assertEqual(done.returncode, 0, done.stderr)
+        found = dict(zip(covers, json.loads(done.stdout)))
+        self.assertEqual(found.pop("own"), {})
+        for name, error in found.items():
+            self.assertEqual(error.get("kind"), "input", name)
+            self.assertIn(f"{name}.cover: ", error["message"])
+        self.assertIn("another field", found["other"]["message"])
+        self.assertIn("hash", found["bit 40"]["message"])
+        self.assertIn("sward export", found["old"]["message"])
 
     def test_a_poster_becomes_a_small_jpeg(self):
         from PIL import Image
@@ -151,10 +177,10 @@ class LongBrowser(CliTest):
         self.page = self.folder / "page"
         (self.page / "checks.html").write_bytes((HERE / "checks.html").read_bytes())
 
-    def check(self, name, ranges=True, **settings):
+    def check(self, name, *switches, ranges=True, **settings):
         """What a check of checks.html finds. Fails if anything stands on the console."""
         (self.page / "settings.json").write_text(json.dumps({"check": name, **settings}), encoding="ascii")
-        return look(self, self.page, "checks.html", ranges=ranges)
+        return look(self, self.page, "checks.html", *switches, ranges=ranges)
 
     def assert_picture(self, camera):
         """The picture of a camera, each sample alone, and the curves of its blades are the viewer's."""
@@ -225,6 +251,44 @@ class LongBrowser(CliTest):
         self.assertTrue(all(found["labels"]))
         # A walker stands on the ground, which is at most 4 m high here.
         self.assertLess(abs(found["walker"][1]), 6.0)
+
+    def test_a_host_sets_and_sees_all(self):
+        found = self.check("host", "--force-device-scale-factor=2")
+        self.assertEqual(found["ratio"], 2)
+        for style, *size, width, height in found["sizes"]:
+            self.assertEqual(size, [max(2 * width, 1), max(2 * height, 1)], style)
+        # Without a height of its own an element is as high as a picture of 16:9.
+        self.assertEqual([row[3:] for row in found["sizes"][:4]], [[120, 90], [160, 90], [120, 100], [0, 0]])
+        self.assertEqual(found["drawnHidden"], 0)
+        self.assertTrue(found["isFramed"] and found["keepsView"])
+        # Unfolded where there is room, until someone folds it.
+        self.assertEqual(found["folded"], [False, True, False])
+        self.assertEqual(found["shown"], ["50 %", "12:30", "×0.05"])
+        self.assertEqual(found["aria"], found["shown"])
+        self.assertEqual(found["pressed"], ["Fly"])
+        words = [("wind", "-1", "0 to 10"), ("hour", '"9"', "5 to 19"), ("detail", "0", "0.01 to 100"), ("swim", "orbit, fly"), ("fovYDeg",),
+                 ("showField", "undefined", "field, cover"), ("field", "undefined"), ("field", "7"), ("renderer", '"vulkan"', '"webgpu" or "webgl"'),
+                 ("render", "renderer"), ("camera", "eye, target"), ("panel", "1", "true or false"), ("sow", "true", "false"),
+                 ("sow", "blades", "0"), ("field.sward", "not a cover"), ("element", "null"), ("gl", "null"), ("undefined", "address")]
+        self.assertEqual(len(found["refused"]), len(words), found["refused"])
+        for said, expected in zip(found["refused"], words):
+            self.assertRegex(said, "^(usage|input): ")
+            for word in expected:
+                self.assertIn(word, said)
+        self.assertEqual((found["both"], found["canvases"], found["stopped"]), (["rejected", "fulfilled"], 1, True))
+
+    def test_far_fields_of_a_long_page_give_their_contexts_away(self):
+        found = self.check("crowd", count=10)
+        self.assertEqual(found["texts"], [""])
+        self.assertLessEqual(found["held"], 8)
+
+    def test_a_page_without_its_script_says_so(self):
+        (self.page / "sward.js").unlink()
+        with FolderServer(self.page) as server:
+            browser = chromium(f"{server.address}/index.html", self.folder / "profile", "--dump-dom", "--virtual-time-budget=10000")
+            text = browser.communicate(timeout=120)[0]
+        self.assertIn("sward.js cannot be loaded: the server answers 404", text)
+        self.assertIn('role="alert"', text)
 
     def test_a_server_without_ranges_is_enough(self):
         self.assertTrue(self.check("use", ranges=False)["complete"])

@@ -1,14 +1,19 @@
+import { fail } from "../format/error";
 import { Field, openField } from "../format/field";
+import { checkOptions, expectOption, numberIn } from "../format/options";
 import { Camera, Vec3 } from "../format/texts";
 import { fittingCamera } from "../render/camera";
 import { AnyRenderer, makeRenderer, RendererKind } from "../render/choice";
 import { coverAt, noCover } from "../render/cover";
 import { lightAt, usualSun } from "../render/light";
+import { Renderer } from "../render/renderer";
 import { Sowing } from "../sow/sowing";
 import type { SowOptions } from "../sow/sowing";
 import { clamp, scaled, size, sub, unit } from "../render/vector";
+import { Contexts } from "./contexts";
 import { Controls, Mode } from "./controls";
 import { GroundHeight } from "./ground_height";
+import { checkCamera, showRules } from "./options";
 import { Panel } from "./panel";
 
 /** What showField() shows. */
@@ -40,6 +45,8 @@ const maxBlades = { webgl: 2_000_000, webgpu: 4_000_000 };
 const messageTime = 6000;
 /** Longest time between two frames that moves blades [s]: a tab that was hidden does not jump. */
 const longestFrame = 0.1;
+/** Pixels of a side at most: what devices have. */
+const mostPixels = 8192;
 /** [ms] without a change after which a picture at rest is refined. */
 const rest = 250;
 
@@ -52,12 +59,16 @@ export class FieldView {
   frames = 0;
   /** Milliseconds from one frame to the next, smoothed. */
   frameTime = 0;
-  /** Factor of the field's wind. */
-  wind = 1;
-  /** Hour of the day, 5 to 19; at 9 the sun stands as in the viewer. */
-  hour = 9;
-  /** Factor of the number of blades that are drawn at most. */
-  detail = 1;
+  private windFactor = 1;
+  private hourOfDay = 9;
+  private detailFactor = 1;
+  /** The view of all of the field, while nobody has moved it. */
+  private whole: Camera | undefined;
+  private ratio = 1;
+  /** Whether the element has a size, and whether it is in the window or near it. */
+  private hasSize = false;
+  private isNear = true;
+  private context: WEBGL_lose_context | null = null;
   private time = 0;
   private last = 0;
   private isDirty = true;
@@ -69,6 +80,7 @@ export class FieldView {
   private isStopped = false;
   private hasFailed = false;
   private readonly observer: ResizeObserver;
+  private readonly nearness: IntersectionObserver;
   private readonly heights: GroundHeight | undefined;
   private readonly stillness = matchMedia("(prefers-reduced-motion: reduce)");
 
@@ -84,7 +96,10 @@ export class FieldView {
     const isPlanet = field.defaults.gravity.blend > 0;
     this.heights = isPlanet ? undefined : new GroundHeight(field.ground, this.up);
     this.observer = new ResizeObserver(() => this.resize());
+    this.observer.observe(element);
+    this.nearness = new IntersectionObserver((found) => this.approach(found[found.length - 1].isIntersecting), { rootMargin: "50%" });
     this.adopt(renderer, camera ?? field.defaults.cameras[0]);
+    this.nearness.observe(element);
     document.addEventListener("visibilitychange", this.wake);
     requestAnimationFrame(this.tick);
   }
@@ -97,19 +112,18 @@ export class FieldView {
     this.resize();
     this.controls = new Controls(
       this.canvas,
-      camera ?? this.wholeView(),
+      camera ?? (this.whole = this.wholeView()),
       this.up,
       size(sub(content.high, content.low)),
       this.field.origin,
       (place) => this.heights?.at(place),
       () => this.change(),
     );
-    this.observer.disconnect();
-    this.observer.observe(this.canvas);
-    const wasLost = () => {
+    const wasLost = (text = "The graphics device was lost. The picture comes back when it does.") => {
       this.isLost = true;
-      this.panel.say("The graphics device was lost. The picture comes back when it does.");
+      this.panel.say(text);
     };
+    const { canvas } = this;
     if (renderer.kind === "webgpu") {
       renderer.onLost(() => {
         wasLost();
@@ -117,11 +131,17 @@ export class FieldView {
       });
       return;
     }
-    this.canvas.addEventListener("webglcontextlost", (event) => {
+    this.context = canvas.getContext("webgl2")!.getExtension("WEBGL_lose_context");
+    contexts.add(this);
+    canvas.addEventListener("webglcontextlost", (event) => {
+      if (this.isStopped) return;
       event.preventDefault();
-      wasLost();
+      wasLost(contexts.lost(this));
+      this.approach(this.isNear);
     });
-    this.canvas.addEventListener("webglcontextrestored", () => {
+    canvas.addEventListener("webglcontextrestored", () => {
+      if (this.isStopped || this.canvas !== canvas) return;
+      contexts.add(this);
       renderer.restore();
       this.isLost = false;
       this.panel.say("");
@@ -132,10 +152,16 @@ export class FieldView {
   /** Goes on with another device, or by WebGL 2, on a new canvas. */
   private async replaceRenderer(): Promise<void> {
     const { mode, camera } = this.controls;
+    const { renderer: before } = this;
     const canvas = this.canvas.cloneNode() as HTMLCanvasElement;
     this.canvas.replaceWith(canvas);
     try {
-      this.adopt(await makeRenderer(canvas, this.field, this.renderer.scene.cover), camera);
+      const renderer =
+        before.kind === "webgl"
+          ? new Renderer(canvas, this.field, before.cover, before.sowing)
+          : await makeRenderer(canvas, this.field, before.scene.cover);
+      this.adopt(renderer, camera);
+      if (this.isStopped) return this.free();
     } catch (error) {
       this.panel.fail(error);
       return;
@@ -143,7 +169,7 @@ export class FieldView {
     this.controls.setMode(mode);
     this.budget = firstBlades[this.renderer.kind];
     this.isLost = false;
-    const isOther = this.renderer.kind === "webgl";
+    const isOther = this.renderer.kind !== before.kind;
     this.panel.say(isOther ? "The graphics device was lost. Now WebGL draws." : "");
     if (isOther) setTimeout(() => this.panel.say(""), messageTime);
     this.change();
@@ -161,13 +187,55 @@ export class FieldView {
     return fittingCamera(renderer.scene.content, field.origin, this.up, renderer.usualLight.sunDirection, aspect);
   }
 
+  /** Factor of the field's wind, 0 to 10. */
+  get wind(): number {
+    return this.windFactor;
+  }
+
+  set wind(factor: number) {
+    this.windFactor = numberIn("wind", factor, 0, 10);
+    this.change();
+  }
+
+  /** Hour of the day, 5 to 19; at 9 the sun stands as in the viewer. */
+  get hour(): number {
+    return this.hourOfDay;
+  }
+
+  set hour(hour: number) {
+    this.hourOfDay = numberIn("hour", hour, 5, 19);
+    this.change();
+  }
+
+  /** Factor of the number of blades that are drawn at most, 0.01 to 100. */
+  get detail(): number {
+    return this.detailFactor;
+  }
+
+  set detail(factor: number) {
+    this.detailFactor = numberIn("detail", factor, 0.01, 100);
+    this.change();
+  }
+
+  /** Ways of moving that the field has: nobody walks on planets. */
+  get modes(): Mode[] {
+    return this.heights ? ["orbit", "fly", "walk"] : ["orbit", "fly"];
+  }
+
   setMode(mode: Mode): void {
+    expectOption("setMode", mode, `one of ${this.modes.join(", ")}`, this.modes.includes(mode));
     this.controls.setMode(mode);
   }
 
   setCamera(camera: Camera): void {
+    checkCamera("setCamera", camera);
     this.controls.camera = camera;
     this.change();
+  }
+
+  /** Shows all of the field, also after the element changes its size. */
+  showWhole(): void {
+    this.setCamera((this.whole = this.wholeView()));
   }
 
   /** Asks for a new picture: something has changed. */
@@ -175,15 +243,47 @@ export class FieldView {
     this.isDirty = true;
     this.isRefined = false;
     this.changedAt = performance.now();
+    this.panel.follow();
   }
 
-  /** Ends the work in the element. */
+  /** Ends the work in the element, and frees the device: the picture goes. */
   stop(): void {
+    if (this.isStopped) return;
     this.isStopped = true;
     this.observer.disconnect();
+    this.nearness.disconnect();
     document.removeEventListener("visibilitychange", this.wake);
     this.renderer.sowing?.stop();
+    this.free();
+  }
+
+  private free(): void {
+    contexts.remove(this);
     if (this.renderer.kind === "webgpu") this.renderer.stop();
+    else if (!this.isLost) this.context?.loseContext();
+  }
+
+  /** Gives the context of WebGL away until the element is near the window again; false if it is near. */
+  release(): boolean {
+    if (this.isNear || this.isLost) return false;
+    this.context?.loseContext();
+    return true;
+  }
+
+  /** Takes a new context, after the browser has taken the first one for another view; false if nobody sees it. */
+  comeBack(): boolean {
+    if (this.isNear) void this.replaceRenderer();
+    return this.isNear;
+  }
+
+  /** The element has come near the window, or gone far away. */
+  private approach(isNear: boolean): void {
+    this.isNear = isNear;
+    contexts.spare();
+    if (!isNear) return;
+    // Only in a task of its own a context may come back.
+    if (this.isLost && contexts.isReleased(this)) setTimeout(() => this.isStopped || this.context?.restoreContext());
+    this.wake();
   }
 
   private readonly wake = (): void => {
@@ -192,19 +292,26 @@ export class FieldView {
   };
 
   private resize(): void {
-    const ratio = Math.min(devicePixelRatio || 1, 2);
-    const width = Math.max(Math.round(this.canvas.clientWidth * ratio), 1);
-    const height = Math.max(Math.round(this.canvas.clientHeight * ratio), 1);
+    // The canvas lies in the element and has no say in its size.
+    const { clientWidth, clientHeight } = this.element;
+    this.ratio = devicePixelRatio;
+    this.hasSize = clientWidth > 0 && clientHeight > 0;
+    if (this.hasSize) this.panel.fit(clientWidth, clientHeight);
+    const ratio = Math.min(devicePixelRatio || 1, 2, mostPixels / Math.max(clientWidth, clientHeight, 1));
+    const width = Math.max(Math.round(clientWidth * ratio), 1);
+    const height = Math.max(Math.round(clientHeight * ratio), 1);
     if (this.canvas.width === width && this.canvas.height === height) return;
     this.canvas.width = width;
     this.canvas.height = height;
+    if (this.whole && this.controls?.camera === this.whole) this.controls.camera = this.whole = this.wholeView();
     this.change();
   }
 
   private readonly tick = (now: number): void => {
     if (this.isStopped) return;
     requestAnimationFrame(this.tick);
-    if (this.isLost || document.hidden) return;
+    if (devicePixelRatio !== this.ratio) this.resize();
+    if (this.isLost || document.hidden || !this.hasSize || !this.isNear) return;
     const since = this.last > 0 ? now - this.last : 0;
     this.last = now;
     this.controls.step(Math.min(since / 1000, longestFrame));
@@ -290,11 +397,24 @@ function sunAt(hour: number): { azimuth: number; elevation: number } {
   };
 }
 
-/** Shows a field in an element, with controls. Errors are shown in the element; the promise fails with them, too. */
+const contexts = new Contexts<FieldView>();
+
+/** What is shown in an element, or is opening there. */
+const shownIn = new WeakMap<HTMLElement, { view?: FieldView }>();
+
+/**
+ * Shows a field in an element, with controls, instead of what was in it. Errors are shown in the element; the promise
+ * fails with them, too.
+ */
 export async function showField(element: HTMLElement, options: ShowOptions): Promise<FieldView> {
+  expectOption("showField: element", element, "an element of a page", element?.nodeType === 1);
+  shownIn.get(element)?.view?.stop();
+  const place: { view?: FieldView } = {};
+  shownIn.set(element, place);
   const canvas = document.createElement("canvas");
   const panel = new Panel(element, canvas);
   try {
+    checkOptions("showField", options, showRules, "field");
     const field = await openField(options.field, {
       onProgress: (received, total) => panel.receive(received, total),
     });
@@ -305,7 +425,12 @@ export async function showField(element: HTMLElement, options: ShowOptions): Pro
     ]);
     const sowing = await sowingOf(field, options, panel, () => view.change());
     const renderer = await makeRenderer(canvas, field, cover, options.renderer, sowing);
+    if (shownIn.get(element) !== place) {
+      sowing?.stop();
+      fail("usage", `${field.name}: the element shows another field now`);
+    }
     const view: FieldView = new FieldView(element, field, renderer, panel, options.camera);
+    place.view = view;
     if (options.panel ?? true) panel.control(view);
     return view;
   } catch (error) {

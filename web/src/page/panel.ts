@@ -2,8 +2,12 @@ import { SwardError } from "../format/error";
 import { Field } from "../format/field";
 import { Mode } from "./controls";
 import type { FieldView } from "./page";
+import { addStyles } from "./styles";
 
 const megabytes = (bytes: number) => `${(bytes / 1e6).toFixed(1)} MB`;
+
+/** Area of an element [CSS pixels²] from which on the controls are unfolded. */
+const leastArea = 200_000;
 
 /** An element of HTML with attributes and children. */
 function make<K extends keyof HTMLElementTagNameMap>(
@@ -23,6 +27,9 @@ export class Panel {
   private readonly bar = make("progress", { class: "sward-progress", "aria-label": "Blades that have come", max: "1" });
   private readonly note = make("small", { class: "sward-note", role: "note" });
   private readonly poster: HTMLElement | null;
+  private tools: HTMLDetailsElement | undefined;
+  private wasFolded = false;
+  private readonly followers: (() => void)[] = [];
   private hasFailed = false;
 
   constructor(
@@ -30,6 +37,9 @@ export class Panel {
     canvas: HTMLCanvasElement,
   ) {
     element.classList.add("sward");
+    addStyles(element);
+    // An element within a line has no height to fill.
+    if (getComputedStyle(element).display === "inline") element.style.display = "block";
     canvas.tabIndex = 0;
     canvas.setAttribute("role", "application");
     canvas.setAttribute(
@@ -92,6 +102,16 @@ export class Panel {
     this.say(share >= 1 ? "" : `${Math.floor(100 * share)} % of ${field.bladeCount.toLocaleString("en")} blades`);
   }
 
+  /** Shows what the view has, also where a script has set it. */
+  follow(): void {
+    for (const one of this.followers) one();
+  }
+
+  /** Folds the controls where they would hide much of a picture, unless someone has folded or unfolded them. */
+  fit(width: number, height: number): void {
+    if (this.tools && !this.wasFolded) this.tools.open = width * height >= leastArea;
+  }
+
   /** Adds the controls of a view. */
   control(view: FieldView): void {
     const modes: [Mode, string, string][] = [
@@ -99,61 +119,76 @@ export class Panel {
       ["fly", "Fly", "Drag looks around; W A S D or arrows fly, E and Q rise and sink, Shift is faster"],
       ["walk", "Walk", "Drag looks around; W A S D or arrows walk on the ground"],
     ];
-    const usable = modes.filter(([mode]) => mode !== "walk" || view.field.defaults.gravity.blend === 0);
+    const usable = modes.filter(([mode]) => view.modes.includes(mode));
     const buttons = usable.map(([mode, text, title]) => {
-      const button = make("button", { type: "button", title, "aria-pressed": String(mode === "orbit") }, text);
+      const button = make("button", { type: "button", title }, text);
       button.addEventListener("click", () => {
         view.setMode(mode);
-        buttons.forEach((other) => other.setAttribute("aria-pressed", String(other === button)));
         view.canvas.focus();
       });
+      this.followers.push(() => button.setAttribute("aria-pressed", String(view.controls.mode === mode)));
       return button;
     });
     const home = make("button", { type: "button", title: "Show all of the field" }, "Home");
-    home.addEventListener("click", () => view.setCamera(view.wholeView()));
+    home.addEventListener("click", () => view.showWhole());
     const slider = (
       text: string,
       low: number,
       high: number,
       step: number,
-      value: number,
       shown: (value: number) => string,
+      get: () => number,
       set: (value: number) => void,
     ) => {
       const input = make("input", {
-        type: "range", min: String(low), max: String(high), step: String(step), value: String(value),
-        "aria-label": text, "aria-valuetext": shown(value),
+        type: "range", min: String(low), max: String(high), step: String(step), "aria-label": text,
       });
-      const output = make("output", {}, shown(value));
-      input.addEventListener("input", () => {
-        set(input.valueAsNumber);
-        output.textContent = shown(input.valueAsNumber);
+      const output = make("output", {});
+      let last: number | undefined;
+      this.followers.push(() => {
+        const value = get();
+        if (value === last) return;
+        last = value;
+        input.value = String(value);
+        output.textContent = shown(value);
         input.setAttribute("aria-valuetext", output.textContent);
-        view.change();
       });
+      input.addEventListener("input", () => set(input.valueAsNumber));
       return make("label", {}, make("span", {}, text), input, output);
     };
-    const clock = (hour: number) => `${Math.floor(hour)}:${String(Math.round((hour % 1) * 60)).padStart(2, "0")}`;
+    const clock = (hour: number) => {
+      const minutes = Math.round(60 * hour);
+      return `${Math.floor(minutes / 60)}:${String(minutes % 60).padStart(2, "0")}`;
+    };
     const tools = make(
       "div",
-      { class: "sward-tools", role: "toolbar", "aria-label": "View of the field" },
+      { role: "toolbar", "aria-label": "View of the field" },
       ...buttons,
       home,
-      slider("Wind", 0, 3, 0.1, view.wind, (x) => `${Math.round(100 * x)} %`, (x) => (view.wind = x)),
-      slider("Time", 5.25, 18.75, 0.25, view.hour, clock, (x) => (view.hour = x)),
-      slider("Detail", -2, 2, 0.5, 0, (x) => `×${2 ** x < 1 ? (2 ** x).toFixed(2) : (2 ** x).toFixed(1)}`, (x) => (view.detail = 2 ** x)),
+      slider("Wind", 0, 3, 0.1, (x) => `${Math.round(100 * x)} %`, () => view.wind, (x) => (view.wind = x)),
+      slider("Time", 5.25, 18.75, 0.25, clock, () => view.hour, (x) => (view.hour = x)),
+      slider("Detail", -2, 2, 0.5, (x) => `×${(2 ** x).toFixed(x < 0 ? 2 : 1)}`, () => Math.log2(view.detail), (x) => (view.detail = 2 ** x)),
     );
     const cameras = view.field.defaults.cameras;
     if (cameras.length > 0) {
       const select = make(
         "select",
         { "aria-label": "Saved view" },
+        make("option", { hidden: "" }, "Saved views"),
         ...cameras.map((camera, i) => make("option", { value: String(i) }, camera.name)),
       );
-      select.addEventListener("change", () => view.setCamera(cameras[select.selectedIndex]));
+      select.addEventListener("change", () => view.setCamera(cameras[select.selectedIndex - 1]));
+      // A view that someone has left may be chosen again.
+      this.followers.push(() => (select.selectedIndex = 1 + cameras.indexOf(view.controls.camera)));
       tools.append(select);
     }
     this.note.append(view.field.defaults.copyright);
-    this.element.append(tools);
+    const summary = make("summary", { title: "Shows or hides the controls" }, "Controls");
+    // A click, and the keys Enter and Space.
+    summary.addEventListener("click", () => (this.wasFolded = true));
+    this.tools = make("details", { class: "sward-tools" }, summary, tools);
+    this.fit(this.element.clientWidth, this.element.clientHeight);
+    this.element.append(this.tools);
+    this.follow();
   }
 }

@@ -61,7 +61,7 @@ export class Renderer {
   constructor(
     readonly canvas: HTMLCanvasElement,
     readonly field: Field,
-    cover: Cover = noCover,
+    readonly cover: Cover = noCover,
     /** The blades between the stored ones of a field with seeds. */
     readonly sowing?: Sowing,
     /** The context of a host that draws on the canvas, too: see drawInHost(). */
