@@ -233,7 +233,7 @@ class Dataset(DatasetCase):
                                    ({"cameras": {"x_m": [2, -2]}}, 3, "x_m: 2 is above -2"),
                                    ({"path": "path.json"}, 3, "cameras: height_m: means nothing beside \"path\""),
                                    ({"jitter_deg": 5}, 3, "jitter_deg: means nothing without \"path\""),
-                                   ({"compressed": False}, 3, "compressed: means nothing beside a \"format\""),
+                                   ({"compressed": True}, 3, "compressed: means nothing beside a \"format\""),
                                    ({"settings": ""}, 3, "settings: expected the name of a file"),
                                    ({"fields": [""]}, 3, "fields: expected names of fields, found \"\""),
                                    ({"fields": ["none.sward"]}, 2, "none.sward")):

@@ -138,9 +138,10 @@ void readPictures(SettingsReader& reader, DatasetScene& scene)
         scene.layers = parseLayers(reader.placeOf("layers"), layers);
     constexpr std::array<std::string_view, 3> formats{"exr", "npz", "png"};
     scene.format = static_cast<DatasetFormat>(reader.readWord("format", formats, 0));
-    if (scene.format != DatasetFormat::exr)
-        refuseBeside(reader, "compressed", "beside a \"format\" other than \"exr\"");
     reader.read("compressed", scene.isCompressed);
+    // False is what the other formats are.
+    if (scene.isCompressed && scene.format != DatasetFormat::exr)
+        refuseBeside(reader, "compressed", "beside a \"format\" other than \"exr\"");
 }
 
 } // namespace
