@@ -96,14 +96,10 @@ class RestTest(RestCase):
         time.sleep(1)
         self.assertEqual(share_that_differs(before, viewer.window.picture()), 0.0)
         self.assertEqual(self.pictures(viewer), 16)
-        for name, change in (("the wheel", lambda: viewer.window.wheel(2)),
-                             ("a pause", lambda: viewer.key("space")),
-                             ("another size", lambda: viewer.window.resize(460, 330))):
-            change()
-            viewer.wait(lambda: self.pictures(viewer) != 16, f"{name} begins it anew")
-            self.wait_for_the_end(viewer)
-        viewer.key("space")
-        after = viewer.window.picture()[:before.shape[0], :before.shape[1]]
+        viewer.window.wheel(2)
+        viewer.wait(lambda: self.pictures(viewer) != 16, "the wheel begins it anew")
+        self.wait_for_the_end(viewer)
+        after = viewer.window.picture()
         self.assertGreater(share_that_differs(before, after), 0.05)
         # A switch lets it draw on.
         viewer.press("Refine at rest", panel="Profile")
@@ -128,6 +124,20 @@ class LongRestTest(RestCase):
         self.assertGreater(at_rest, LEAST_PSNR)
         self.assertGreater(at_rest, rendered)
         self.assertLess(before, LEAST_PSNR)
+        self.assert_ends_well(viewer)
+
+    def test_a_pause_and_another_size_begin_it_anew(self):
+        viewer = self.open(self.field(), "--wind-strength", "8", size=(440, 320))
+        self.wait_for_the_end(viewer)
+        before = viewer.window.picture()
+        for name, change in (("a pause", lambda: viewer.key("space")),
+                             ("another size", lambda: viewer.window.resize(460, 330))):
+            change()
+            viewer.wait(lambda: self.pictures(viewer) != 16, f"{name} begins it anew")
+            self.wait_for_the_end(viewer)
+        viewer.key("space")
+        after = viewer.window.picture()[:before.shape[0], :before.shape[1]]
+        self.assertGreater(share_that_differs(before, after), 0.05)
         self.assert_ends_well(viewer)
 
     def test_the_fine_picture_appears_as_a_whole(self):
