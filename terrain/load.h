@@ -51,9 +51,6 @@ GroundMesh load(const std::string& input, const ImportSettings& settings, Diagno
 /// roles), as 16 hex digits. Equal hashes mean that two bakes used the same ground.
 std::string contentHash(const GroundMesh& mesh);
 
-/// XXH3 over the bytes of a file, as 16 hex digits. Throws Error{io} if it cannot be read.
-std::string fileHash(const std::filesystem::path& path);
-
 /// XXH3 over the files of a map, as 16 hex digits: `path`, and what may lie beside it (of a
 /// Shapefile .shx .dbf .prj .cpg, of a raster .tfw .wld .ovr .msk .aux.xml). Of a file of more than
 /// 256 MB: its size and 256 pieces of 1 MB at even steps, with the first and the last byte. So a

@@ -92,12 +92,6 @@ std::string contentHash(const GroundMesh& mesh)
     return fmt::format("{:016x}", hasher.digest());
 }
 
-std::string fileHash(const std::filesystem::path& path)
-{
-    const MappedFile file(path);
-    return fmt::format("{:016x}", XXH3_64bits(file.bytes().data(), file.bytes().size()));
-}
-
 std::string mapFileHash(const std::filesystem::path& path)
 {
     constexpr std::uint64_t wholeBytes = std::uint64_t(256) << 20;

@@ -64,14 +64,14 @@ Mask byContent(Mask mask)
     if (mask.image != nullptr)
         mask.file = terrain::contentHash(*mask.image);
     if (mask.map != nullptr)
-        mask.file = terrain::fileHash(mask.file);
+        mask.file = terrain::mapFileHash(mask.file);
     return mask;
 }
 
 json provenanceOf(const ExcludedArea& area)
 {
     return {{"mesh", area.mesh != nullptr  ? terrain::contentHash(*area.mesh)
-                     : area.map != nullptr ? terrain::fileHash(area.file)
+                     : area.map != nullptr ? terrain::mapFileHash(area.file)
                                            : area.file},
             {"margin", area.margin}};
 }

@@ -2,24 +2,13 @@
 
 #include "bake/settings/meadow.h"
 #include "core/error.h"
-#include "core/random.h"
+#include "core/files/file_hash.h"
 #include "terrain/load.h"
 
-#include <fmt/core.h>
-
 #include <algorithm>
-#include <cstdint>
 
 namespace sward::bake {
 namespace {
-
-std::string hashOfText(const std::string& text)
-{
-    std::uint64_t digest = text.size();
-    for (const char c : text)
-        digest = hashBits(digest, static_cast<unsigned char>(c));
-    return fmt::format("{:016x}", digest);
-}
 
 void addMasks(const std::vector<Mask>& masks, std::vector<PlanFile>& files)
 {

@@ -1,10 +1,10 @@
 #include "apps/sward_view/dataset/dataset_files.h"
 
 #include "apps/common/version.h"
-#include "apps/sward_view/dataset/file_hash.h"
 #include "apps/sward_view/picture/layer_files.h"
 #include "core/error.h"
 #include "core/files/atomic_file.h"
+#include "core/files/file_hash.h"
 #include "core/files/foreign_bytes.h"
 #include "core/files/mapped_file.h"
 #include "core/json/json_text.h"
@@ -124,11 +124,6 @@ std::optional<FrameHead> headOf(std::string_view text)
         text.substr(content + hashDigits, headEnd.size()) != headEnd)
         return std::nullopt;
     return FrameHead{text.substr(setKey.size(), hashDigits), text.substr(content, hashDigits)};
-}
-
-std::string hashOfText(std::string_view text)
-{
-    return hashOfBytes(std::as_bytes(std::span(text)));
 }
 
 std::string_view textOf(const MappedFile& file)
@@ -280,7 +275,8 @@ bool DatasetFiles::isWhole(std::uint64_t frame)
         return false;
     for (const auto& [name, size] : described.at("files").items()) {
         std::error_code error;
-        if (fs::file_size(folder_ / name, error) != size.get<std::uint64_t>() || error)
+        if (!size.is_number_unsigned() ||
+            fs::file_size(folder_ / name, error) != size.get<std::uint64_t>() || error)
             return false;
     }
     return true;

@@ -1,4 +1,4 @@
-#include "apps/sward_view/dataset/file_hash.h"
+#include "core/files/file_hash.h"
 
 #include "core/files/mapped_file.h"
 #include "core/random.h"
@@ -10,7 +10,7 @@
 #include <cstdint>
 #include <cstring>
 
-namespace sward::view {
+namespace sward {
 
 std::string hashOfBytes(std::span<const std::byte> bytes)
 {
@@ -23,10 +23,15 @@ std::string hashOfBytes(std::span<const std::byte> bytes)
     return fmt::format("{:016x}", hash);
 }
 
+std::string hashOfText(std::string_view text)
+{
+    return hashOfBytes(std::as_bytes(std::span(text)));
+}
+
 std::string hashOfFile(const std::filesystem::path& path)
 {
     const MappedFile file(path);
     return hashOfBytes(file.bytes());
 }
 
-} // namespace sward::view
+} // namespace sward
